@@ -11,7 +11,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "jounce/axis/group_path.hpp"
+#include "jounce/axis/detail/group_path.hpp"
 #include "jounce/axis/machine.hpp"
 #include "jounce/path/plan.hpp"
 

@@ -9,7 +9,7 @@
 #include <benchmark/benchmark.h>
 
 #include "jounce/axis/job.hpp"
-#include "jounce/executor/cycle.hpp"
+#include "jounce/executor/detail/cycle.hpp"
 
 namespace {
 

@@ -22,6 +22,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "jounce/stream/detail/receiver_pump.hpp"
 #include "jounce/stream/sender/driver.hpp"
 #include "jounce/stream/sender/stream_plan.hpp"
 #include "jounce/stream/transport/open_transport.hpp"

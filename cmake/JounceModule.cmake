@@ -2,6 +2,9 @@
 # jounce_declare(NAME module ...): a module and the modules that it includes. CMakeLists.txt declares all of them,
 # each after those that it uses. tests/modules/includes.py holds the sources against these lines.
 #
+# jounce_api(NAME ...): the modules whose headers are installed. The library of another module is installed only if one of
+# these modules uses it.
+#
 # jounce_add_modules(): adds the folders of JOUNCE_MODULES and of all that they use.
 #
 # jounce_module(NAME SOURCES a.cpp ... [LINKS target ...] [PRIVATE_LINKS target ...] [PRECOMPILE header ...]
@@ -69,27 +72,40 @@ function(jounce_declare name)
   set(JOUNCE_USES_${name} ${ARGN} PARENT_SCOPE)
 endfunction()
 
+# jounce_with_used(RESULT module ...): these modules and all that they use, in the order of their declarations.
+function(jounce_with_used result)
+  set(wanted ${ARGN})
+  set(ordered "")
+  set(backwards ${JOUNCE_DECLARED})
+  list(REVERSE backwards)
+  foreach(module ${backwards})
+    if(module IN_LIST wanted)
+      list(APPEND wanted ${JOUNCE_USES_${module}})
+      list(PREPEND ordered ${module})
+    endif()
+  endforeach()
+  set(${result} ${ordered} PARENT_SCOPE)
+endfunction()
+
+function(jounce_api)
+  jounce_with_used(installed ${ARGN})
+  set(JOUNCE_API ${ARGN} PARENT_SCOPE)
+  set(JOUNCE_INSTALLED ${installed} PARENT_SCOPE)
+endfunction()
+
 function(jounce_add_modules)
   set(wanted ${JOUNCE_MODULES})
   if(wanted STREQUAL "all")
     set(wanted ${JOUNCE_DECLARED})
   endif()
-  set(backwards ${JOUNCE_DECLARED})
-  list(REVERSE backwards)
   foreach(module ${wanted})
     if(NOT module IN_LIST JOUNCE_DECLARED)
       message(FATAL_ERROR "JOUNCE_MODULES = ${module}: must be \"all\" or some of ${JOUNCE_DECLARED}")
     endif()
   endforeach()
-  foreach(module ${backwards})
-    if(module IN_LIST wanted)
-      list(APPEND wanted ${JOUNCE_USES_${module}})
-    endif()
-  endforeach()
-  foreach(module ${JOUNCE_DECLARED})
-    if(module IN_LIST wanted)
-      add_subdirectory(${module})
-    endif()
+  jounce_with_used(wanted ${wanted})
+  foreach(module ${wanted})
+    add_subdirectory(${module})
   endforeach()
 endfunction()
 
@@ -129,11 +145,13 @@ function(jounce_module name)
   list(TRANSFORM used PREPEND jounce::)
   target_link_libraries(jounce_${name} PUBLIC ${used} ${MODULE_LINKS} PRIVATE ${MODULE_PRIVATE_LINKS})
 
-  if(NOT JOUNCE_INSTALL)
+  if(NOT JOUNCE_INSTALL OR NOT name IN_LIST JOUNCE_INSTALLED)
     return()
   endif()
   install(TARGETS jounce_${name} EXPORT jounceTargets
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
-  install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-    FILES_MATCHING PATTERN "*.hpp" PATTERN "detail" EXCLUDE)
+  if(name IN_LIST JOUNCE_API)
+    install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+      FILES_MATCHING PATTERN "*.hpp" PATTERN "detail" EXCLUDE)
+  endif()
 endfunction()

@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-# `find_package(jounce COMPONENTS profiles cam ...)` from an install tree, and a pkg-config file jounce-NAME for each module.
+# `find_package(jounce COMPONENTS profiles cam ...)` from an install tree, and a pkg-config file jounce-NAME for each installed
+# library.
 include(CMakePackageConfigHelpers)
 
 set(JOUNCE_USES_LINES "")
-foreach(module ${JOUNCE_DECLARED})
+foreach(module ${JOUNCE_INSTALLED})
   list(JOIN JOUNCE_USES_${module} " " used)
   string(APPEND JOUNCE_USES_LINES "set(jounce_uses_${module} ${used})\n")
 endforeach()
-foreach(module ${JOUNCE_DECLARED})
-  if(TARGET jounce_${module} AND NOT module STREQUAL "cli")
+foreach(module ${JOUNCE_INSTALLED})
+  if(TARGET jounce_${module})
     list(TRANSFORM JOUNCE_USES_${module} PREPEND jounce- OUTPUT_VARIABLE required)
     list(JOIN required " " required)
     get_property(libraries GLOBAL PROPERTY JOUNCE_PKGCONFIG_${module})

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "jounce/base/listed.hpp"
+#include "jounce/base/detail/listed.hpp"
 
 namespace jounce {
 namespace {

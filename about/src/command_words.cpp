@@ -5,7 +5,7 @@
 #include <cctype>
 #include <charconv>
 
-#include "jounce/base/nearest.hpp"
+#include "jounce/base/detail/nearest.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/profiles/error.hpp"
 

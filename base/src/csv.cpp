@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/base/csv.hpp"
+#include "jounce/base/detail/csv.hpp"
 
 #include <charconv>
 #include <cmath>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/base/notice.hpp"
+#include "jounce/base/detail/notice.hpp"
 
 #include <cstdio>
 
 #include <poll.h>
 #include <unistd.h>
 
-#include "jounce/base/printable.hpp"
+#include "jounce/base/detail/printable.hpp"
 
 namespace jounce {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/base/parallel.hpp"
+#include "jounce/base/detail/parallel.hpp"
 
 #include <algorithm>
 #include <atomic>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/base/progress_line.hpp"
+#include "jounce/base/detail/progress_line.hpp"
 
 #include <algorithm>
 #include <cstddef>

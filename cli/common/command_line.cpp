@@ -9,7 +9,7 @@
 #include "jounce/about/build_info.hpp"
 #include "jounce/about/command_words.hpp"
 #include "jounce/about/completion.hpp"
-#include "jounce/base/printable.hpp"
+#include "jounce/base/detail/printable.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "cli/common/program_info.hpp"

@@ -3,9 +3,9 @@
 
 #include <utility>
 
-#include "jounce/design/axes.hpp"
+#include "jounce/design/detail/axes.hpp"
+#include "jounce/design/detail/version.hpp"
 #include "jounce/design/over_time.hpp"
-#include "jounce/design/version.hpp"
 
 #include "cli/common/option_names.hpp"
 

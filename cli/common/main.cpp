@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "jounce/about/standard_streams.hpp"
+#include "jounce/base/detail/printable.hpp"
 #include "jounce/base/input_errors.hpp"
-#include "jounce/base/printable.hpp"
 #include "jounce/stream/transport/transport.hpp"
 
 #include "cli/common/verb.hpp"

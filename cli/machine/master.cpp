@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "jounce/base/progress_line.hpp"
+#include "jounce/base/detail/progress_line.hpp"
 #include "jounce/base/units.hpp"
-#include "jounce/machine/line_master.hpp"
+#include "jounce/machine/detail/line_master.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "cli/common/input.hpp"

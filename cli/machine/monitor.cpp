@@ -7,10 +7,10 @@
 
 #include <fmt/format.h>
 
-#include "jounce/machine/dashboard.hpp"
-#include "jounce/machine/outcome_text.hpp"
-#include "jounce/machine/status_text.hpp"
-#include "jounce/machine/terminal.hpp"
+#include "jounce/machine/detail/dashboard.hpp"
+#include "jounce/machine/detail/outcome_text.hpp"
+#include "jounce/machine/detail/status_text.hpp"
+#include "jounce/machine/detail/terminal.hpp"
 
 #include "cli/common/verb.hpp"
 #include "cli/machine/link.hpp"

@@ -10,10 +10,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "jounce/base/interrupt.hpp"
-#include "jounce/command/command_table.hpp"
-#include "jounce/machine/command_words.hpp"
-#include "jounce/machine/outcome_text.hpp"
+#include "jounce/base/detail/interrupt.hpp"
+#include "jounce/command/detail/command_table.hpp"
+#include "jounce/machine/detail/command_words.hpp"
+#include "jounce/machine/detail/outcome_text.hpp"
 #include "jounce/machine/watch.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/sender/operate.hpp"

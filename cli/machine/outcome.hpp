@@ -4,7 +4,7 @@
 #include <initializer_list>
 #include <string>
 
-#include "jounce/machine/outcome_text.hpp"
+#include "jounce/machine/detail/outcome_text.hpp"
 #include "jounce/machine/watch.hpp"
 
 namespace jounce::cli {

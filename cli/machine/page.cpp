@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "jounce/base/interrupt.hpp"
+#include "jounce/base/detail/interrupt.hpp"
 #include "jounce/machine/watch.hpp"
 #include "jounce/stream/transport/open_transport.hpp"
 #include "jounce/web/gate.hpp"

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "jounce/machine/replay_text.hpp"
+#include "jounce/machine/detail/replay_text.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "cli/common/json.hpp"

@@ -9,11 +9,11 @@
 
 #include <fmt/format.h>
 
-#include "jounce/base/notice.hpp"
+#include "jounce/base/detail/notice.hpp"
+#include "jounce/executor/detail/trace.hpp"
 #include "jounce/executor/run_executor.hpp"
-#include "jounce/executor/trace.hpp"
+#include "jounce/machine/detail/run_text.hpp"
 #include "jounce/machine/machine_parts.hpp"
-#include "jounce/machine/run_text.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/web/page_process.hpp"
 

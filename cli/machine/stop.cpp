@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "jounce/machine/detail/outcome_text.hpp"
 #include "jounce/machine/watch.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/sender/operate.hpp"

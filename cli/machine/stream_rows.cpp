@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "jounce/base/progress_line.hpp"
-#include "jounce/design/executor_tables.hpp"
+#include "jounce/base/detail/progress_line.hpp"
+#include "jounce/design/detail/executor_tables.hpp"
 #include "jounce/machine/play_plan.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/sender/driver.hpp"

@@ -7,13 +7,12 @@
 
 #include <fmt/format.h>
 
-#include "jounce/base/interrupt.hpp"
-#include "jounce/base/progress_line.hpp"
+#include "jounce/base/detail/interrupt.hpp"
+#include "jounce/base/detail/progress_line.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/machine/play_plan.hpp"
 #include "jounce/machine/watch.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/stream/sender/group.hpp"
 #include "jounce/stream/sender/operate.hpp"
 
 #include "cli/common/input.hpp"

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "jounce/stream/sender/banks.hpp"
+#include "jounce/stream/sender/stream_group.hpp"
 
 #include "cli/machine/link.hpp"
 

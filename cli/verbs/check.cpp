@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "jounce/design/files/file_check.hpp"
+#include "jounce/design/detail/file_check.hpp"
 #include "jounce/lint/find_files.hpp"
 
 #include "cli/common/input.hpp"

@@ -3,14 +3,14 @@
 
 #include <fmt/format.h>
 
+#include "jounce/base/detail/printable.hpp"
+#include "jounce/base/detail/progress_line.hpp"
 #include "jounce/base/input_errors.hpp"
-#include "jounce/base/printable.hpp"
-#include "jounce/base/progress_line.hpp"
 #include "jounce/lint/find_files.hpp"
 #include "jounce/lint/run.hpp"
 #include "jounce/machine/machine_parts.hpp"
-#include "jounce/report/ci_formats.hpp"
 #include "jounce/report/comparison.hpp"
+#include "jounce/report/detail/ci_formats.hpp"
 
 #include "cli/common/option_names.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "jounce/base/printable.hpp"
+#include "jounce/base/detail/printable.hpp"
 #include "jounce/design/disc.hpp"
 
 #include "cli/common/input.hpp"

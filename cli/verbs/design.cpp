@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-#include "jounce/design/axes.hpp"
-#include "jounce/design/design_text.hpp"
-#include "jounce/design/files/file_check.hpp"
-#include "jounce/io/curve_file.hpp"
+#include "jounce/design/detail/axes.hpp"
+#include "jounce/design/detail/design_text.hpp"
+#include "jounce/design/detail/file_check.hpp"
+#include "jounce/io/detail/curve_file.hpp"
 
 #include "cli/common/input.hpp"
 #include "cli/common/outputs.hpp"

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "jounce/base/interrupt.hpp"
+#include "jounce/base/detail/interrupt.hpp"
 #include "jounce/edit/editor.hpp"
 
 #include "cli/common/templates.hpp"

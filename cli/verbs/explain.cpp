@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "jounce/machine/message_catalog.hpp"
-#include "jounce/report/messages.hpp"
+#include "jounce/machine/detail/message_catalog.hpp"
+#include "jounce/report/detail/messages.hpp"
 
 #include "cli/common/json.hpp"
 #include "cli/common/option_names.hpp"

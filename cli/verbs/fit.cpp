@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/design/fit.hpp"
+#include "jounce/design/detail/fit.hpp"
 
 #include <memory>
 

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "jounce/base/progress_line.hpp"
+#include "jounce/base/detail/progress_line.hpp"
 #include "jounce/io/recording.hpp"
 #include "jounce/proof/identification.hpp"
 

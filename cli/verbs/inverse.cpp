@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/design/inverse.hpp"
+#include "jounce/design/detail/inverse.hpp"
 
 #include <memory>
 

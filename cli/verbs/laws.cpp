@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "jounce/design/law_guide.hpp"
+#include "jounce/design/detail/law_guide.hpp"
 #include "jounce/plot/input_figure.hpp"
 
 #include "cli/common/json.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
 
-#include "jounce/design/cut_map.hpp"
+#include "jounce/design/detail/cut_map.hpp"
 #include "jounce/plot/cut_map_figure.hpp"
 
 #include "cli/common/option_names.hpp"

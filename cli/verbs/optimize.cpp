@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "jounce/base/progress_line.hpp"
-#include "jounce/design/axes.hpp"
+#include "jounce/base/detail/progress_line.hpp"
+#include "jounce/design/detail/axes.hpp"
 #include "jounce/design/input.hpp"
 #include "jounce/plot/optimum_figure.hpp"
 #include "jounce/study/optimum.hpp"

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "jounce/machine/group_position.hpp"
+#include "jounce/machine/detail/group_position.hpp"
 
 #include "cli/common/verb.hpp"
 

@@ -7,14 +7,14 @@
 
 #include <fmt/format.h>
 
+#include "jounce/base/detail/interrupt.hpp"
+#include "jounce/base/detail/progress_line.hpp"
 #include "jounce/base/hash.hpp"
-#include "jounce/base/interrupt.hpp"
-#include "jounce/base/progress_line.hpp"
 #include "jounce/plot/sweep_figure.hpp"
-#include "jounce/profiles/six_digits.hpp"
-#include "jounce/study/mpi_world.hpp"
-#include "jounce/study/sweep_files.hpp"
-#include "jounce/study/sweep_summary.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
+#include "jounce/study/detail/mpi_world.hpp"
+#include "jounce/study/detail/sweep_files.hpp"
+#include "jounce/study/detail/sweep_summary.hpp"
 
 #include "cli/common/outputs.hpp"
 #include "cli/common/verb.hpp"

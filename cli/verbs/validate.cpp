@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "jounce/base/progress_line.hpp"
+#include "jounce/base/detail/progress_line.hpp"
 #include "jounce/proof/drive_signals.hpp"
 #include "jounce/proof/proof.hpp"
 

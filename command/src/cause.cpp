@@ -6,11 +6,11 @@
 #include <optional>
 #include <string_view>
 
-#include "jounce/command/causes.hpp"
 #include "jounce/command/commands.hpp"
-#include "jounce/command/refusal_text.hpp"
-#include "jounce/profiles/digits_beside.hpp"
-#include "jounce/profiles/six_digits.hpp"
+#include "jounce/command/detail/causes.hpp"
+#include "jounce/command/detail/refusal_text.hpp"
+#include "jounce/profiles/detail/digits_beside.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 
 namespace jounce {
 namespace {

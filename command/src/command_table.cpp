@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/command/command_table.hpp"
+#include "jounce/command/detail/command_table.hpp"
 
 #include <algorithm>
 #include <array>

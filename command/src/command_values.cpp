@@ -4,7 +4,7 @@
 #include <cmath>
 #include <type_traits>
 
-#include "jounce/command/command_table.hpp"
+#include "jounce/command/detail/command_table.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/base/listed.hpp"
+#include "jounce/base/detail/listed.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/controllers/table_target.hpp"
 #include "jounce/profiles/error.hpp"

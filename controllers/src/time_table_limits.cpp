@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/controllers/time_table_limits.hpp"
+#include "jounce/controllers/detail/time_table_limits.hpp"
 
 #include <cmath>
 #include <string>

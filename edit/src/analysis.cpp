@@ -4,11 +4,11 @@
 #include <utility>
 #include <variant>
 
-#include "jounce/design/files/file_check.hpp"
+#include "jounce/design/detail/file_check.hpp"
 #include "jounce/lint/lint.hpp"
 #include "jounce/plot/chart_data.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/report/ci_formats.hpp"
+#include "jounce/report/detail/ci_formats.hpp"
 #include "jounce/spec/spec.hpp"
 
 #include "edit/src/cam_json.hpp"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "jounce/report/diagnostic.hpp"
+#include "jounce/report/detail/diagnostic.hpp"
 
 #include "edit/src/json_reader.hpp"
 

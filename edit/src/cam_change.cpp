@@ -10,10 +10,10 @@
 
 #include <fmt/format.h>
 
-#include "jounce/design/law_guide.hpp"
+#include "jounce/design/detail/law_guide.hpp"
 #include "jounce/design/make.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/spec/cam_edit.hpp"
+#include "jounce/spec/detail/cam_edit.hpp"
 #include "jounce/spec/spec.hpp"
 
 #include "edit/src/cam_geometry.hpp"

@@ -9,8 +9,8 @@
 #include <fmt/ranges.h>
 
 #include "jounce/profiles/error.hpp"
+#include "jounce/spec/detail/text_numbers.hpp"
 #include "jounce/spec/spec.hpp"
-#include "jounce/spec/text_numbers.hpp"
 
 #include "edit/src/cam_change.hpp"
 #include "edit/src/json_reader.hpp"

@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "jounce/design/input.hpp"
-#include "jounce/spec/text_numbers.hpp"
+#include "jounce/spec/detail/text_numbers.hpp"
 
 #include "edit/src/json_reader.hpp"
 

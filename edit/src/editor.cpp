@@ -15,8 +15,8 @@
 #include <nlohmann/json.hpp>
 
 #include "jounce/design/convert.hpp"
-#include "jounce/design/fit.hpp"
-#include "jounce/design/law_guide.hpp"
+#include "jounce/design/detail/fit.hpp"
+#include "jounce/design/detail/law_guide.hpp"
 #include "jounce/lint/committed.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/web/gate.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/io/curve_file.hpp"
+#include "jounce/io/detail/curve_file.hpp"
 
 #include <type_traits>
 #include <utility>

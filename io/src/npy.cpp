@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/io/npy.hpp"
+#include "jounce/io/detail/npy.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "jounce/base/listed.hpp"
+#include "jounce/base/detail/listed.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/io/points.hpp"
 #include "jounce/profiles/error.hpp"

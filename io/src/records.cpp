@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/io/records.hpp"
+#include "jounce/io/detail/records.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "jounce/base/listed.hpp"
+#include "jounce/base/detail/listed.hpp"
 #include "jounce/path/arc.hpp"
 #include "jounce/path/rotary.hpp"
 #include "jounce/profiles/error.hpp"

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "jounce/base/csv.hpp"
+#include "jounce/base/detail/csv.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/io/detail/table_parts.hpp"
 #include "jounce/profiles/error.hpp"

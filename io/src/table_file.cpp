@@ -5,8 +5,8 @@
 #include <cctype>
 #include <utility>
 
+#include "jounce/base/detail/printable.hpp"
 #include "jounce/base/file.hpp"
-#include "jounce/base/printable.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/io/detail/table_parts.hpp"
 #include "jounce/profiles/error.hpp"

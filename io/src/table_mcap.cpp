@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "jounce/base/printable.hpp"
+#include "jounce/base/detail/printable.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/io/detail/table_parts.hpp"
 #include "jounce/profiles/error.hpp"

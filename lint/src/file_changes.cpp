@@ -9,10 +9,10 @@
 
 #include <fmt/format.h>
 
+#include "jounce/base/detail/parallel.hpp"
 #include "jounce/base/input_errors.hpp"
-#include "jounce/base/parallel.hpp"
+#include "jounce/design/detail/version.hpp"
 #include "jounce/design/files/file_difference.hpp"
-#include "jounce/design/version.hpp"
 #include "jounce/lint/accepted.hpp"
 #include "jounce/lint/find_files.hpp"
 #include "jounce/lint/lint.hpp"

@@ -6,17 +6,17 @@
 #include <optional>
 #include <utility>
 
+#include "jounce/base/detail/parallel.hpp"
 #include "jounce/base/file.hpp"
 #include "jounce/base/input_errors.hpp"
-#include "jounce/base/parallel.hpp"
-#include "jounce/design/diagnostics.hpp"
-#include "jounce/design/path_text.hpp"
+#include "jounce/design/detail/diagnostics.hpp"
+#include "jounce/design/detail/path_text.hpp"
 #include "jounce/lint/find_files.hpp"
 #include "jounce/spec/axis_drive.hpp"
 #include "jounce/spec/machine_spec.hpp"
 #include "jounce/spec/spec.hpp"
 #include "jounce/stream/security/key.hpp"
-#include "jounce/study/sweep_spec.hpp"
+#include "jounce/study/detail/sweep_spec.hpp"
 #include "jounce/validate/loop.hpp"
 
 namespace jounce {

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <utility>
 
+#include "jounce/profiles/detail/digits_beside.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
-#include "jounce/profiles/digits_beside.hpp"
-#include "jounce/profiles/six_digits.hpp"
 
 namespace jounce {
 

@@ -4,9 +4,9 @@
 #include <numbers>
 #include <vector>
 
-#include "jounce/base/printable.hpp"
+#include "jounce/base/detail/printable.hpp"
 #include "jounce/base/units.hpp"
-#include "jounce/io/npy.hpp"
+#include "jounce/io/detail/npy.hpp"
 #include "jounce/io/table_file.hpp"
 #include "jounce/profiles/error.hpp"
 

@@ -8,11 +8,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "jounce/base/printable.hpp"
+#include "jounce/base/detail/printable.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/report/report_text.hpp"
-#include "jounce/spec/drive_file.hpp"
-#include "jounce/spec/text_numbers.hpp"
+#include "jounce/spec/detail/drive_file.hpp"
+#include "jounce/spec/detail/text_numbers.hpp"
 
 namespace jounce {
 namespace {

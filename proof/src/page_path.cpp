@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "jounce/base/units.hpp"
-#include "jounce/design/path_text.hpp"
+#include "jounce/design/detail/path_text.hpp"
 #include "jounce/plot/label.hpp"
 #include "jounce/plot/path_picture.hpp"
 

@@ -2,7 +2,7 @@
 #include <sstream>
 #include <utility>
 
-#include "jounce/design/diagnostics.hpp"
+#include "jounce/design/detail/diagnostics.hpp"
 #include "jounce/design/disc.hpp"
 
 #include "proof/src/page_sections.hpp"

@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "jounce/base/file.hpp"
-#include "jounce/design/driven.hpp"
-#include "jounce/design/reference.hpp"
+#include "jounce/design/detail/driven.hpp"
+#include "jounce/design/detail/reference.hpp"
 #include "jounce/validate/linear_drive.hpp"
 
 #include "proof/src/figure/follower_figure.hpp"

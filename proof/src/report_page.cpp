@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 
 #include "jounce/base/file.hpp"
-#include "jounce/design/cam_check.hpp"
-#include "jounce/design/load_figures.hpp"
+#include "jounce/design/detail/cam_check.hpp"
+#include "jounce/design/detail/load_figures.hpp"
 #include "jounce/plot/chart_data.hpp"
 #include "jounce/plot/findings.hpp"
 #include "jounce/plot/input_figure.hpp"

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "jounce/base/parallel.hpp"
+#include "jounce/base/detail/parallel.hpp"
 #include "jounce/report/report_text.hpp"
 
 namespace jounce {

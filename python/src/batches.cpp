@@ -5,7 +5,7 @@
 
 #include <pybind11/stl.h>
 
-#include "jounce/base/parallel.hpp"
+#include "jounce/base/detail/parallel.hpp"
 #include "jounce/profiles/moves/batch.hpp"
 #include "jounce/profiles/moves/explain.hpp"
 

@@ -8,7 +8,7 @@
 
 #include "jounce/cam/design/characteristics.hpp"
 #include "jounce/cam/design/design.hpp"
-#include "jounce/design/law_guide.hpp"
+#include "jounce/design/detail/law_guide.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 
 #include "python/src/bind.hpp"

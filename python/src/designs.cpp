@@ -2,11 +2,11 @@
 // Specs and table files, with their curves, tables and findings.
 #include <pybind11/stl.h>
 
-#include "jounce/design/axes.hpp"
-#include "jounce/design/files/file_check.hpp"
+#include "jounce/design/detail/axes.hpp"
+#include "jounce/design/detail/file_check.hpp"
+#include "jounce/design/detail/reference.hpp"
 #include "jounce/design/key_figures.hpp"
 #include "jounce/design/over_time.hpp"
-#include "jounce/design/reference.hpp"
 
 #include "python/src/bind.hpp"
 #include "python/src/design.hpp"

@@ -4,7 +4,7 @@
 
 #include <pybind11/stl.h>
 
-#include "jounce/design/law_guide.hpp"
+#include "jounce/design/detail/law_guide.hpp"
 #include "jounce/gear/gear_course.hpp"
 #include "jounce/gear/gear_in_pos.hpp"
 #include "jounce/profiles/error.hpp"

@@ -5,7 +5,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include "jounce/design/files/file_check.hpp"
+#include "jounce/design/detail/file_check.hpp"
 
 #include "python/src/bind.hpp"
 #include "python/src/design.hpp"

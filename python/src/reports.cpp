@@ -4,8 +4,8 @@
 #include <pybind11/stl.h>
 
 #include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/limits/limits.hpp"
-#include "jounce/profiles/six_digits.hpp"
 #include "jounce/report/rules.hpp"
 
 #include "python/src/bind.hpp"

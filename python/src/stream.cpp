@@ -6,7 +6,7 @@
 
 #include <pybind11/stl.h>
 
-#include "jounce/machine/outcome_text.hpp"
+#include "jounce/machine/detail/outcome_text.hpp"
 #include "jounce/machine/play_plan.hpp"
 #include "jounce/stream/message/wire.hpp"
 #include "jounce/stream/security/key.hpp"

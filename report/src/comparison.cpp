@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "jounce/base/units.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
 #include "jounce/pvt/table.hpp"
 #include "jounce/report/report_text.hpp"
 

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
-#include "jounce/profiles/six_digits.hpp"
 #include "jounce/report/comparison.hpp"
 
 namespace jounce {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/report/messages.hpp"
+#include "jounce/report/detail/messages.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "jounce/base/nearest.hpp"
+#include "jounce/base/detail/nearest.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/report/rules.hpp"
 

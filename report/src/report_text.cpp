@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "jounce/base/units.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
-#include "jounce/profiles/six_digits.hpp"
 #include "jounce/pvt/check.hpp"
 
 namespace jounce {

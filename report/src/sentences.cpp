@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "jounce/profiles/detail/digits_beside.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
-#include "jounce/profiles/digits_beside.hpp"
-#include "jounce/profiles/six_digits.hpp"
 #include "jounce/report/report_text.hpp"
 
 // The sentences of all findings, by the family of their rule. The meaning and the remedy of each rule: rules.cpp.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
-#include "jounce/base/csv.hpp"
+#include "jounce/base/detail/csv.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/report/comparison.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/spec/drive_file.hpp"
+#include "jounce/spec/detail/drive_file.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/spec/edit.hpp"
+#include "jounce/spec/detail/edit.hpp"
 
 #include <cassert>
 #include <cmath>

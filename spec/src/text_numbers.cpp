@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/spec/text_numbers.hpp"
+#include "jounce/spec/detail/text_numbers.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/base/interrupt.hpp"
+#include "jounce/base/detail/interrupt.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/base/nearest.hpp"
+#include "jounce/base/detail/nearest.hpp"
 
 #include <string>
 #include <vector>

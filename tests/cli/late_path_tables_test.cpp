@@ -14,7 +14,7 @@
 #include <gtest/gtest.h>
 
 #include "jounce/axis/job.hpp"
-#include "jounce/design/executor_tables.hpp"
+#include "jounce/design/detail/executor_tables.hpp"
 #include "jounce/design/input.hpp"
 
 #include "support/random.hpp"

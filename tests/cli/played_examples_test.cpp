@@ -13,15 +13,17 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "jounce/design/executor_tables.hpp"
+#include "jounce/design/detail/executor_tables.hpp"
+#include "jounce/design/detail/reference.hpp"
 #include "jounce/design/input.hpp"
-#include "jounce/design/reference.hpp"
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/moves/move.hpp"
 #include "jounce/profiles/moves/s_curve.hpp"
 #include "jounce/proof/played.hpp"
 #include "jounce/pvt/check.hpp"
+#include "jounce/stream/sender/stream_outcome.hpp"
+#include "jounce/stream/sender/stream_plan.hpp"
 
 #include "executor/site.hpp"
 #include "support/errors.hpp"

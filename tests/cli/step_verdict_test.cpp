@@ -12,10 +12,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "design/src/input/against_spec.hpp"
 #include "jounce/axis/job.hpp"
-#include "jounce/design/against.hpp"
-#include "jounce/design/cam_check.hpp"
-#include "jounce/design/files/file_check.hpp"
+#include "jounce/design/detail/cam_check.hpp"
+#include "jounce/design/detail/file_check.hpp"
 #include "jounce/io/table_file.hpp"
 
 #include "support/temporary_folder.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/command/causes.hpp"
+#include "jounce/command/detail/causes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 #include <gmock/gmock.h>
 
 #include "jounce/command/commands.hpp"
-#include "jounce/command/refusal_text.hpp"
+#include "jounce/command/detail/refusal_text.hpp"
 
 namespace jounce::causes_test {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "jounce/command/command_table.hpp"
+#include "jounce/command/detail/command_table.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce::command_values_test {

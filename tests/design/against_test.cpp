@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A finished table is compared with its spec: its curve, all limits, and the version of the spec. The witness computes
 // the motion of the table from its knots, by Hermite's formula, at many places.
-#include "jounce/design/against.hpp"
+#include "design/src/input/against_spec.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 
 #include "jounce/base/file.hpp"
 #include "jounce/controllers/exchange/exchange.hpp"
-#include "jounce/design/files/file_check.hpp"
+#include "jounce/design/detail/file_check.hpp"
 #include "jounce/design/files/file_difference.hpp"
 #include "jounce/profiles/error.hpp"
 

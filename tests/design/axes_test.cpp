@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/design/axes.hpp"
+#include "jounce/design/detail/axes.hpp"
 
 #include <gtest/gtest.h>
 
-#include "jounce/design/version.hpp"
+#include "jounce/design/detail/version.hpp"
 
 #include "support/errors.hpp"
 

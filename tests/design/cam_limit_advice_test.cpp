@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include "jounce/design/files/file_check.hpp"
+#include "jounce/design/detail/file_check.hpp"
 
 namespace jounce::cam_limit_advice_test {
 namespace {

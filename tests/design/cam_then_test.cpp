@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "jounce/base/file.hpp"
-#include "jounce/design/cam_check.hpp"
+#include "jounce/design/detail/cam_check.hpp"
 #include "jounce/design/input.hpp"
 #include "jounce/design/key_figures.hpp"
 #include "jounce/design/over_time.hpp"

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 
 #include "jounce/base/file.hpp"
-#include "jounce/design/cam_check.hpp"
+#include "jounce/design/detail/cam_check.hpp"
 #include "jounce/design/input.hpp"
 
 #include "support/temporary_folder.hpp"

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "jounce/base/file.hpp"
-#include "jounce/io/samples_csv.hpp"
+#include "jounce/io/detail/samples_csv.hpp"
 
 #include "support/errors.hpp"
 #include "support/temporary_folder.hpp"

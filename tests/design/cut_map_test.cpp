@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/design/cut_map.hpp"
+#include "jounce/design/detail/cut_map.hpp"
 
 #include <cmath>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "jounce/design/sync_check.hpp"
+#include "jounce/design/detail/sync_check.hpp"
 
 #include "support/errors.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/spec/drawn_cam.hpp"
+#include "jounce/spec/detail/drawn_cam.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +11,8 @@
 
 #include "jounce/base/file.hpp"
 #include "jounce/cam/disc/plate_motion.hpp"
+#include "jounce/design/detail/fit.hpp"
 #include "jounce/design/disc.hpp"
-#include "jounce/design/fit.hpp"
 #include "jounce/io/drawing.hpp"
 
 #include "support/errors.hpp"

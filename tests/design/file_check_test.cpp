@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/design/files/file_check.hpp"
+#include "jounce/design/detail/file_check.hpp"
 
 #include <functional>
 
@@ -8,8 +8,8 @@
 
 #include "jounce/controllers/table_target.hpp"
 #include "jounce/design/convert.hpp"
+#include "jounce/design/detail/law_guide.hpp"
 #include "jounce/design/files/file_difference.hpp"
-#include "jounce/design/law_guide.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce::file_check_test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/design/fit.hpp"
+#include "jounce/design/detail/fit.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "jounce/base/file.hpp"
-#include "jounce/design/cam_check.hpp"
 #include "jounce/design/convert.hpp"
+#include "jounce/design/detail/cam_check.hpp"
 
 #include "support/temporary_folder.hpp"
 

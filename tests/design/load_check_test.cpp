@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "jounce/design/load_figures.hpp"
+#include "jounce/design/detail/load_figures.hpp"
 #include "jounce/design/make.hpp"
 #include "jounce/profiles/error.hpp"
 

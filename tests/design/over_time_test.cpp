@@ -7,8 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "jounce/design/cam_check.hpp"
-#include "jounce/design/sync_zones.hpp"
+#include "jounce/design/detail/cam_check.hpp"
+#include "jounce/design/detail/sync_zones.hpp"
 
 #include "support/errors.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/design/path_cost.hpp"
+#include "jounce/design/detail/path_cost.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "jounce/design/detail/path_text.hpp"
 #include "jounce/design/input.hpp"
-#include "jounce/design/path_text.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce::path_cost_test {

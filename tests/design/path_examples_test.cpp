@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "jounce/design/detail/path_text.hpp"
 #include "jounce/design/input.hpp"
-#include "jounce/design/path_text.hpp"
 #include "jounce/path/along.hpp"
 #include "jounce/pvt/check.hpp"
 #include "jounce/pvt/sample.hpp"

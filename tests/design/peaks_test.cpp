@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/design/peaks.hpp"
+#include "jounce/design/detail/peaks.hpp"
 
 #include <cmath>
 

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "jounce/base/file.hpp"
-#include "jounce/design/cam_check.hpp"
-#include "jounce/design/diagnostics.hpp"
+#include "jounce/design/detail/cam_check.hpp"
+#include "jounce/design/detail/diagnostics.hpp"
 #include "jounce/design/over_time.hpp"
 
 #include "design/src/check/check_text.hpp"

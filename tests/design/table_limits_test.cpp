@@ -8,8 +8,8 @@
 #include <gmock/gmock.h>
 
 #include "jounce/controllers/exchange/exchange.hpp"
-#include "jounce/design/cam_check.hpp"
 #include "jounce/design/convert.hpp"
+#include "jounce/design/detail/cam_check.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce::table_limits_test {

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""header_examples.py SOURCE_DIR OUTPUT MODULE...: writes the examples of the public headers of the modules into one source
-file.
+"""header_examples.py SOURCE_DIR OUTPUT MODULE...: writes the examples of the headers of the modules, also of those in `detail`, into
+one source file.
 
 An example is a block of a doc comment, indented by four spaces more than its text, in which a line ends with `;`. Each
 one becomes the body of a function. Compiler errors name the header and its line. An example may use the names of
@@ -48,7 +48,7 @@ def names():
 
 
 headers = [path for module in modules for path in sorted((root / module).glob("include/jounce/**/*.hpp"))
-           if "detail" not in path.parts]
+           if "detail" not in path.parts or any(examples(path.read_text()))]
 lines = [f'#include "{str(path).split("/include/")[1]}"' for path in headers]
 lines += ["#include <fstream>", "#include <iostream>", "namespace jounce::header_names {",
           "struct Any { template <class T> operator T&() const; };", "extern const Any any;",

@@ -22,12 +22,12 @@
 
 #include <unistd.h>
 
-#include "jounce/command/command_table.hpp"
+#include "jounce/command/detail/command_table.hpp"
 #include "jounce/drive/machine_sensors.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/sender/client.hpp"
 #include "jounce/stream/sender/driver.hpp"
-#include "jounce/stream/sender/group.hpp"
+#include "jounce/stream/sender/stream_group.hpp"
 
 #include "executor/record/log_judge.hpp"
 #include "executor/record/log_line.hpp"

@@ -11,7 +11,7 @@
 #include <string>
 
 #include "jounce/cam/design/placement.hpp"
-#include "jounce/executor/replay.hpp"
+#include "jounce/executor/detail/replay.hpp"
 #include "jounce/io/table_file.hpp"
 
 namespace {

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "jounce/executor/detail/recorder.hpp"
 #include "jounce/stream/sender/driver.hpp"
 
 namespace jounce::test {

@@ -8,8 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "jounce/executor/dispatcher.hpp"
-#include "jounce/executor/replay.hpp"
+#include "jounce/executor/detail/dispatcher.hpp"
+#include "jounce/executor/detail/replay.hpp"
+#include "jounce/stream/sender/stream_outcome.hpp"
+#include "jounce/stream/sender/stream_plan.hpp"
 
 #include "executor/cycle/virtual_pacer.hpp"
 #include "executor/src/record/run_record.hpp"

@@ -5,7 +5,7 @@
 #include <memory>
 #include <tuple>
 
-#include "jounce/executor/dispatcher.hpp"
+#include "jounce/executor/detail/dispatcher.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "executor/cycle/virtual_pacer.hpp"

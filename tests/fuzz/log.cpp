@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "jounce/base/detail/lcm_log.hpp"
-#include "jounce/executor/replay.hpp"
+#include "jounce/executor/detail/replay.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "fuzz/fuzz.hpp"

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "jounce/pvt/segment_fifos.hpp"
-#include "jounce/stream/receiver/receiver.hpp"
-#include "jounce/stream/sender/row_sender.hpp"
+#include "jounce/stream/detail/receiver.hpp"
+#include "jounce/stream/detail/row_sender.hpp"
 
 #include "fuzz/packets.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/base/hash.hpp"
-#include "jounce/stream/receiver/receiver.hpp"
-#include "jounce/stream/sender/sender.hpp"
+#include "jounce/stream/detail/receiver.hpp"
+#include "jounce/stream/detail/sender.hpp"
 
 #include "fuzz/packets.hpp"
 #include "stream/harness.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/base/printable.hpp"
+#include "jounce/base/detail/printable.hpp"
 
 #include "fuzz/fuzz.hpp"
 #include "support/utf8.hpp"

@@ -12,8 +12,8 @@
 #include "jounce/cam/coupling/followed.hpp"
 #include "jounce/cam/coupling/master_limits.hpp"
 #include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
 
 #include "support/errors.hpp"
 #include "support/invariants.hpp"

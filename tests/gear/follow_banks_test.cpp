@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/gear/follow_banks.hpp"
+#include "jounce/gear/detail/follow_banks.hpp"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/io/records.hpp"
+#include "jounce/io/detail/records.hpp"
 
 #include <cmath>
 #include <string>

@@ -10,7 +10,7 @@
 
 #include <gmock/gmock.h>
 
-#include "jounce/design/cam_check.hpp"
+#include "jounce/design/detail/cam_check.hpp"
 #include "jounce/lint/run.hpp"
 
 #include "support/errors.hpp"

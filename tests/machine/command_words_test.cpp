@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/machine/command_words.hpp"
+#include "jounce/machine/detail/command_words.hpp"
 
 #include <cmath>
 #include <map>

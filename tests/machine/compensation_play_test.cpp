@@ -14,8 +14,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "jounce/machine/detail/status_text.hpp"
 #include "jounce/machine/machine_parts.hpp"
-#include "jounce/machine/status_text.hpp"
 #include "jounce/stream/sender/client.hpp"
 
 #include "executor/site.hpp"

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/machine/dashboard.hpp"
+#include "jounce/machine/detail/dashboard.hpp"
 
 #include <algorithm>
 #include <limits>
 
 #include <gmock/gmock.h>
 
-#include "jounce/machine/status_text.hpp"
-#include "jounce/machine/terminal.hpp"
+#include "jounce/command/cause.hpp"
+#include "jounce/machine/detail/status_text.hpp"
+#include "jounce/machine/detail/terminal.hpp"
 
 #include "machine/src/operate/dashboard_text.hpp"
 

@@ -12,7 +12,9 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "jounce/machine/group_position.hpp"
+#include "jounce/executor/detail/dispatcher.hpp"
+#include "jounce/executor/detail/sent_program.hpp"
+#include "jounce/machine/detail/group_position.hpp"
 
 #include "support/errors.hpp"
 

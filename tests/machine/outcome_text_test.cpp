@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/machine/outcome_text.hpp"
+#include "jounce/machine/detail/outcome_text.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "jounce/command/cause.hpp"
-#include "jounce/machine/message_catalog.hpp"
-#include "jounce/machine/status_text.hpp"
+#include "jounce/machine/detail/message_catalog.hpp"
+#include "jounce/machine/detail/status_text.hpp"
 
 namespace jounce::outcome_text_test {
 namespace {

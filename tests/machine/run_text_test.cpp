@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/machine/run_text.hpp"
+#include "jounce/machine/detail/run_text.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
 
 #include "support/errors.hpp"
 

@@ -29,7 +29,7 @@ contains jounce bin/jounce 'share/man/man1/jounce(-check|-stream)?\.1\.gz' share
 lacks '\.(a|hpp|cmake|pc)$'
 contains libjounce-dev 'include/jounce/profiles/moves/move\.hpp' 'lib/.*libjounce_profiles\.a' 'lib/.*/jounceConfig\.cmake' \
   'lib/.*/jounce-profiles\.pc'
-lacks '/usr/bin|/detail/|/man/'
+lacks '/usr/bin|/detail/|/man/|/include/jounce/web/'
 if [ -d "$1/python/jounce" ]; then
   contains python3-jounce 'lib/python3[.0-9]*/dist-packages/jounce/(__init__\.py|_jounce\.pyi|py\.typed)' \
     'lib/python3[.0-9]*/dist-packages/jounce/_jounce\..*\.so'

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/profiles/six_digits.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 
 #include <limits>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/report/messages.hpp"
+#include "jounce/report/detail/messages.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

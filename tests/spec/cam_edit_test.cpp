@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/spec/cam_edit.hpp"
+#include "jounce/spec/detail/cam_edit.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

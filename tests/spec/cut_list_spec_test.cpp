@@ -7,8 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "jounce/design/detail/sync_check.hpp"
 #include "jounce/design/make.hpp"
-#include "jounce/design/sync_check.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "support/errors.hpp"

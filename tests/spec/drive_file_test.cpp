@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A drive written as a spec is the drive that is read back.
-#include "jounce/spec/drive_file.hpp"
+#include "jounce/spec/detail/drive_file.hpp"
 
 #include <string>
 

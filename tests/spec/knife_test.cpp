@@ -6,9 +6,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "jounce/design/cut_lengths.hpp"
+#include "jounce/design/detail/cut_lengths.hpp"
+#include "jounce/design/detail/sync_check.hpp"
 #include "jounce/design/make.hpp"
-#include "jounce/design/sync_check.hpp"
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/report/report_text.hpp"

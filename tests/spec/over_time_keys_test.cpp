@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "jounce/design/make.hpp"
-#include "jounce/spec/edit.hpp"
+#include "jounce/spec/detail/edit.hpp"
 #include "jounce/spec/spec.hpp"
 
 #include "support/errors.hpp"

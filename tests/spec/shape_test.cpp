@@ -6,8 +6,8 @@
 
 #include "jounce/design/make.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/spec/drive_figures.hpp"
-#include "jounce/spec/edit.hpp"
+#include "jounce/spec/detail/drive_figures.hpp"
+#include "jounce/spec/detail/edit.hpp"
 #include "jounce/spec/shape_spec.hpp"
 
 #include "support/errors.hpp"

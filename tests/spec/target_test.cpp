@@ -7,7 +7,7 @@
 
 #include "jounce/controllers/table_target.hpp"
 #include "jounce/design/make.hpp"
-#include "jounce/io/points_text.hpp"
+#include "jounce/io/detail/points_text.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "support/errors.hpp"

@@ -11,7 +11,11 @@
 #include <variant>
 #include <vector>
 
-#include "jounce/command/command_table.hpp"
+#include "jounce/command/detail/command_table.hpp"
+#include "jounce/stream/detail/receiver.hpp"
+#include "jounce/stream/detail/receiver_pump.hpp"
+#include "jounce/stream/detail/table_store.hpp"
+#include "jounce/stream/receiver/receiver_options.hpp"
 #include "jounce/stream/sender/driver.hpp"
 
 #include "stream/src/transport/lossy_transport.hpp"

@@ -17,6 +17,7 @@
 
 #include <lcm/lcm-cpp.hpp>
 
+#include "jounce/stream/receiver/receiver_options.hpp"
 #include "jounce/stream/transport/open_transport.hpp"
 
 #include "stream/harness.hpp"

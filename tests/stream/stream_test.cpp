@@ -7,6 +7,8 @@
 
 #include "stream/harness.hpp"
 
+#include "jounce/stream/detail/sender.hpp"
+
 namespace jounce::stream_test {
 namespace {
 

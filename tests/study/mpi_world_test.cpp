@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/study/mpi_world.hpp"
+#include "jounce/study/detail/mpi_world.hpp"
 
 #include <atomic>
 #include <chrono>

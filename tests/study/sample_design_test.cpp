@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Latin hypercubes and Sobol's sequence, against SciPy (tests/oracle/sobol.py) and their definitions.
-#include "jounce/study/sample_design.hpp"
+#include "jounce/study/detail/sample_design.hpp"
 
 #include <cmath>
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/study/sweep.hpp"
+#include "jounce/study/detail/sweep.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,8 +16,8 @@
 
 #include "jounce/base/file.hpp"
 #include "jounce/base/input_errors.hpp"
-#include "jounce/study/sweep_files.hpp"
-#include "jounce/study/sweep_summary.hpp"
+#include "jounce/study/detail/sweep_files.hpp"
+#include "jounce/study/detail/sweep_summary.hpp"
 
 #include "support/errors.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "jounce/base/hash.hpp"
 #include "jounce/command/cause.hpp"
-#include "jounce/command/causes.hpp"
+#include "jounce/command/detail/causes.hpp"
 
 namespace jounce::web {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "jounce/executor/trace.hpp"
+#include "jounce/executor/detail/trace.hpp"
 #include "jounce/stream/message/message.hpp"
 #include "jounce/stream/transport/transport.hpp"
 

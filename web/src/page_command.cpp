@@ -7,8 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "jounce/command/command_table.hpp"
 #include "jounce/command/command_values.hpp"
+#include "jounce/command/detail/command_table.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/sender/operate.hpp"
 

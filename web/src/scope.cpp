@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "jounce/base/csv.hpp"
+#include "jounce/base/detail/csv.hpp"
 #include "jounce/plot/label.hpp"
 #include "jounce/profiles/error.hpp"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "jounce/executor/trace.hpp"
+#include "jounce/executor/detail/trace.hpp"
 #include "jounce/web/server.hpp"
 
 namespace jounce::web {

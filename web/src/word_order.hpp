@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "jounce/machine/command_words.hpp"
+#include "jounce/machine/detail/command_words.hpp"
 
 namespace jounce::web {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/axis/group_path.hpp"
+#include "jounce/axis/detail/group_path.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "jounce/axis/path_clock.hpp"
+#include "jounce/axis/detail/path_clock.hpp"
 
 namespace jounce {
 GroupPath::GroupPath(std::uint64_t id, GroupProgram program)

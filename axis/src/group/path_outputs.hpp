@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <span>
 
+#include "jounce/axis/detail/path_clock.hpp"
 #include "jounce/axis/movement.hpp"
-#include "jounce/axis/path_clock.hpp"
 #include "jounce/cam/switches/cam_switches.hpp"
 
 namespace jounce {

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
+#include "jounce/axis/detail/path_clock.hpp"
 #include "jounce/axis/movement.hpp"
-#include "jounce/axis/path_clock.hpp"
 
 namespace jounce {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/axis/plan_agreement.hpp"
+#include "jounce/axis/detail/plan_agreement.hpp"
 
 #include <algorithm>
 #include <array>

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "jounce/axis/axis_config.hpp"
-#include "jounce/axis/homing_method.hpp"
+#include "jounce/axis/detail/homing_method.hpp"
 #include "jounce/axis/inputs.hpp"
 #include "jounce/command/cause.hpp"
 

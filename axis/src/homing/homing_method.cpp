@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/axis/homing_method.hpp"
+#include "jounce/axis/detail/homing_method.hpp"
 
 #include <array>
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/axis/live_cuts.hpp"
+#include "jounce/axis/detail/live_cuts.hpp"
 
 #include "axis/src/state/axis_impl.hpp"
 

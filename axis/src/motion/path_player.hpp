@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "jounce/axis/axis_config.hpp"
+#include "jounce/axis/detail/path_clock.hpp"
 #include "jounce/axis/movement.hpp"
-#include "jounce/axis/path_clock.hpp"
 
 namespace jounce {
 

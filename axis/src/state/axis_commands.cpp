@@ -4,7 +4,7 @@
 #include <utility>
 #include <variant>
 
-#include "jounce/command/command_table.hpp"
+#include "jounce/command/detail/command_table.hpp"
 
 #include "axis/src/state/axis_impl.hpp"
 

@@ -4,9 +4,9 @@
 #include <string>
 
 #include "jounce/axis/inputs.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
 
 #include "axis/src/homing/homing.hpp"
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
 
 #include "cam/src/design/parts.hpp"
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/moves/move.hpp"
-#include "jounce/profiles/six_digits.hpp"
 
 #include "cam/src/coupling/settle.hpp"
 

@@ -10,8 +10,8 @@
 
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/detail/numeric.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
-#include "jounce/profiles/six_digits.hpp"
 
 // The quintic from rest to the slope k (or from k to rest) with stroke h over length b,
 // accelerations zero. With z = x / b and rho = k b / h,

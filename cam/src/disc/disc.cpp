@@ -6,9 +6,9 @@
 #include <string>
 #include <utility>
 
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
 
 #include "cam/src/disc/pitch.hpp"
 

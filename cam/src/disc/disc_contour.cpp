@@ -3,9 +3,9 @@
 
 #include <cmath>
 
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
 
 #include "cam/src/disc/pitch.hpp"
 

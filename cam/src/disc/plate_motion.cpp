@@ -7,8 +7,8 @@
 #include <limits>
 #include <string>
 
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
 
 #include "cam/src/disc/pitch.hpp"
 

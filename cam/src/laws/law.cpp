@@ -8,9 +8,9 @@
 
 #include "jounce/profiles/curve/between.hpp"
 #include "jounce/profiles/curve/curve.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
 
 #include "cam/src/laws/added.hpp"
 

@@ -8,8 +8,8 @@
 
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/detail/numeric.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
 
 // The mode obeys x'' + 2 D w x' + w^2 x = w^2 f. Requiring x = y everywhere gives
 //

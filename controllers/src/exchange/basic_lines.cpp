@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "jounce/base/csv.hpp"
+#include "jounce/base/detail/csv.hpp"
 
 namespace jounce::controllers_detail {
 namespace {

@@ -7,7 +7,7 @@
 #include <charconv>
 #include <utility>
 
-#include "jounce/base/csv.hpp"
+#include "jounce/base/detail/csv.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce::controllers_detail {

@@ -9,9 +9,9 @@
 #include <limits>
 #include <utility>
 
-#include "jounce/base/csv.hpp"
-#include "jounce/base/listed.hpp"
-#include "jounce/base/printable.hpp"
+#include "jounce/base/detail/csv.hpp"
+#include "jounce/base/detail/listed.hpp"
+#include "jounce/base/detail/printable.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/io/detail/table_parts.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"

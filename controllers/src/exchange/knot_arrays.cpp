@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-#include "jounce/base/csv.hpp"
+#include "jounce/base/detail/csv.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce::controllers_detail {

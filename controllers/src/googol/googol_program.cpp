@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "jounce/base/csv.hpp"
-#include "jounce/io/points_text.hpp"
+#include "jounce/base/detail/csv.hpp"
+#include "jounce/io/detail/points_text.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/pvt/pt.hpp"

@@ -5,7 +5,7 @@
 #include <tuple>
 #include <utility>
 
-#include "jounce/base/csv.hpp"
+#include "jounce/base/detail/csv.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "controllers/src/exchange/cells.hpp"

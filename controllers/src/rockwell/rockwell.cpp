@@ -12,7 +12,7 @@
 
 #include <pugixml.hpp>
 
-#include "jounce/base/csv.hpp"
+#include "jounce/base/detail/csv.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/pvt/fill.hpp"
 

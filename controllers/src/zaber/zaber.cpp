@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "jounce/base/csv.hpp"
+#include "jounce/base/detail/csv.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/profiles/error.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/design/against.hpp"
+#include "design/src/input/against_spec.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
+#include "jounce/base/detail/listed.hpp"
+#include "jounce/base/detail/printable.hpp"
 #include "jounce/base/file.hpp"
-#include "jounce/base/listed.hpp"
-#include "jounce/base/printable.hpp"
 #include "jounce/design/convert.hpp"
 #include "jounce/design/over_time.hpp"
 #include "jounce/profiles/curve/difference.hpp"

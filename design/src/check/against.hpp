@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "jounce/design/against.hpp"
+#include "design/src/input/against_spec.hpp"
 
 namespace jounce::design_detail {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/design/cam_check.hpp"
+#include "jounce/design/detail/cam_check.hpp"
 
 #include <algorithm>
 #include <iterator>

@@ -12,7 +12,7 @@
 
 #include <fmt/format.h>
 
-#include "jounce/design/law_guide.hpp"
+#include "jounce/design/detail/law_guide.hpp"
 
 #include "design/src/check/master_check.hpp"
 #include "design/src/check/stretch.hpp"

@@ -9,10 +9,10 @@
 
 #include "jounce/cam/design/certificate.hpp"
 #include "jounce/cam/design/characteristics.hpp"
-#include "jounce/design/cam_check.hpp"
-#include "jounce/design/load_figures.hpp"
-#include "jounce/design/sync_check.hpp"
-#include "jounce/profiles/six_digits.hpp"
+#include "jounce/design/detail/cam_check.hpp"
+#include "jounce/design/detail/load_figures.hpp"
+#include "jounce/design/detail/sync_check.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 
 #include "design/src/check/master_check.hpp"
 

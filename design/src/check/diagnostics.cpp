@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/design/diagnostics.hpp"
+#include "jounce/design/detail/diagnostics.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/design/limit_advice.hpp"
+#include "jounce/design/detail/limit_advice.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@
 
 #include "jounce/base/units.hpp"
 #include "jounce/cam/design/design.hpp"
-#include "jounce/profiles/six_digits.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/pvt/detail/knot_rounding.hpp"
 
 #include "design/src/check/cam_limit_advice.hpp"

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "jounce/base/units.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
-#include "jounce/profiles/six_digits.hpp"
 #include "jounce/report/report_text.hpp"
 
 #include "design/src/check/step_check.hpp"

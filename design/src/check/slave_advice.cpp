@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 
 #include "jounce/base/units.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/moves/move.hpp"
-#include "jounce/profiles/six_digits.hpp"
 
 #include "design/src/check/master_check.hpp"
 

@@ -8,10 +8,10 @@
 
 #include <fmt/format.h>
 
-#include "jounce/base/printable.hpp"
+#include "jounce/base/detail/printable.hpp"
 #include "jounce/base/units.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
-#include "jounce/profiles/six_digits.hpp"
 #include "jounce/pvt/check.hpp"
 
 #include "design/src/check/master_check.hpp"

@@ -8,9 +8,9 @@
 
 #include "jounce/controllers/table_target.hpp"
 #include "jounce/design/convert.hpp"
-#include "jounce/io/points_text.hpp"
-#include "jounce/io/samples_csv.hpp"
-#include "jounce/profiles/six_digits.hpp"
+#include "jounce/io/detail/points_text.hpp"
+#include "jounce/io/detail/samples_csv.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 
 #include "design/src/convert/for_controller.hpp"
 #include "design/src/convert/missing_units.hpp"

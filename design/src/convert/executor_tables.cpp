@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/design/executor_tables.hpp"
+#include "jounce/design/detail/executor_tables.hpp"
 
 #include <utility>
 
 #include "jounce/base/units.hpp"
-#include "jounce/design/reference.hpp"
+#include "jounce/design/detail/reference.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {

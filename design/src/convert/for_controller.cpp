@@ -10,12 +10,12 @@
 
 #include "jounce/base/input_errors.hpp"
 #include "jounce/base/units.hpp"
-#include "jounce/io/points_text.hpp"
+#include "jounce/io/detail/points_text.hpp"
 #include "jounce/profiles/curve/difference.hpp"
+#include "jounce/profiles/detail/digits_beside.hpp"
 #include "jounce/profiles/detail/evaluate.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
-#include "jounce/profiles/digits_beside.hpp"
-#include "jounce/profiles/six_digits.hpp"
 #include "jounce/pvt/fill.hpp"
 
 #include "design/src/check/table_check.hpp"

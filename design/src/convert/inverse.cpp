@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/design/inverse.hpp"
+#include "jounce/design/detail/inverse.hpp"
 
 #include <cmath>
 #include <utility>
@@ -9,7 +9,7 @@
 
 #include "jounce/base/units.hpp"
 #include "jounce/cam/algebra/algebra.hpp"
-#include "jounce/design/design_text.hpp"
+#include "jounce/design/detail/design_text.hpp"
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/design/design_text.hpp"
+#include "jounce/design/detail/design_text.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -8,13 +8,13 @@
 #include <iterator>
 #include <limits>
 
-#include "jounce/base/listed.hpp"
-#include "jounce/base/nearest.hpp"
+#include "jounce/base/detail/listed.hpp"
+#include "jounce/base/detail/nearest.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/cam/detail/quadrature.hpp"
-#include "jounce/design/driven.hpp"
-#include "jounce/design/reference.hpp"
-#include "jounce/design/sync_check.hpp"
+#include "jounce/design/detail/driven.hpp"
+#include "jounce/design/detail/reference.hpp"
+#include "jounce/design/detail/sync_check.hpp"
 
 #include "design/src/check/master_check.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/design/law_guide.hpp"
+#include "jounce/design/detail/law_guide.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "jounce/base/nearest.hpp"
-#include "jounce/cam/laws/law_names.hpp"
+#include "jounce/base/detail/nearest.hpp"
+#include "jounce/cam/detail/law_names.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/design/load_figures.hpp"
+#include "jounce/design/detail/load_figures.hpp"
 
 #include <algorithm>
 #include <array>

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "jounce/design/path_text.hpp"
+#include "jounce/design/detail/path_text.hpp"
 #include "jounce/path/path_length.hpp"
 #include "jounce/profiles/curve/composed.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"

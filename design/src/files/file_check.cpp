@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/design/files/file_check.hpp"
+#include "jounce/design/detail/file_check.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,11 +9,11 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-#include "jounce/base/nearest.hpp"
+#include "design/src/input/against_spec.hpp"
+#include "jounce/base/detail/nearest.hpp"
 #include "jounce/base/units.hpp"
-#include "jounce/design/against.hpp"
-#include "jounce/design/axes.hpp"
-#include "jounce/design/cam_check.hpp"
+#include "jounce/design/detail/axes.hpp"
+#include "jounce/design/detail/cam_check.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "design/src/check/check_text.hpp"

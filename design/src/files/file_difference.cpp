@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "jounce/design/path_text.hpp"
-#include "jounce/design/version.hpp"
+#include "jounce/design/detail/path_text.hpp"
+#include "jounce/design/detail/version.hpp"
 #include "jounce/path/path_length.hpp"
 
 namespace jounce {

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/design/fit.hpp"
+#include "jounce/design/detail/fit.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <utility>
 
+#include "jounce/base/detail/printable.hpp"
 #include "jounce/base/file.hpp"
-#include "jounce/base/printable.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/io/drawing.hpp"
 #include "jounce/io/points.hpp"
-#include "jounce/spec/drawn_cam.hpp"
+#include "jounce/spec/detail/drawn_cam.hpp"
 
 #include "design/src/convert/missing_units.hpp"
 #include "design/src/fit/fit_spec.hpp"

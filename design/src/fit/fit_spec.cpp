@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "jounce/profiles/six_digits.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 
 namespace jounce::design_detail {
 namespace {

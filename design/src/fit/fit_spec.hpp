@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "jounce/design/fit.hpp"
+#include "jounce/design/detail/fit.hpp"
 
 namespace jounce::design_detail {
 

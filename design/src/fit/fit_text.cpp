@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "jounce/design/fit.hpp"
+#include "jounce/design/detail/fit.hpp"
 
 namespace jounce {
 namespace {

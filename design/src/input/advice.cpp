@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "jounce/base/units.hpp"
-#include "jounce/controllers/time_table_limits.hpp"
-#include "jounce/design/sync_check.hpp"
+#include "jounce/controllers/detail/time_table_limits.hpp"
+#include "jounce/design/detail/sync_check.hpp"
 
 namespace jounce::design_detail {
 namespace {

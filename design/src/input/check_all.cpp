@@ -4,10 +4,10 @@
 #include <array>
 
 #include "jounce/base/units.hpp"
+#include "jounce/design/detail/limit_advice.hpp"
+#include "jounce/design/detail/sync_check.hpp"
 #include "jounce/design/disc.hpp"
 #include "jounce/design/input.hpp"
-#include "jounce/design/limit_advice.hpp"
-#include "jounce/design/sync_check.hpp"
 #include "jounce/pvt/check.hpp"
 #include "jounce/validate/loop.hpp"
 

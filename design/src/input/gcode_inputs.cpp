@@ -2,8 +2,8 @@
 // The inputs of a G-code program.
 #include <utility>
 
+#include "jounce/base/detail/printable.hpp"
 #include "jounce/base/file.hpp"
-#include "jounce/base/printable.hpp"
 #include "jounce/design/input.hpp"
 #include "jounce/io/gcode.hpp"
 

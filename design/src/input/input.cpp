@@ -7,8 +7,8 @@
 #include <utility>
 #include <variant>
 
+#include "jounce/base/detail/printable.hpp"
 #include "jounce/base/hash.hpp"
-#include "jounce/base/printable.hpp"
 
 namespace jounce {
 namespace {

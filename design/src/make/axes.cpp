@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/design/axes.hpp"
+#include "jounce/design/detail/axes.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include "jounce/base/listed.hpp"
+#include "jounce/base/detail/listed.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/design/driven.hpp"
+#include "jounce/design/detail/driven.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "jounce/design/reference.hpp"
-#include "jounce/profiles/six_digits.hpp"
+#include "jounce/design/detail/reference.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 
 namespace jounce {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "jounce/base/units.hpp"
 #include "jounce/cam/laws/polydyne.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
-#include "jounce/profiles/six_digits.hpp"
 #include "jounce/pvt/warnings.hpp"
 #include "jounce/spec/detail/in_document.hpp"
 

@@ -2,7 +2,7 @@
 #include <limits>
 
 #include "jounce/design/make.hpp"
-#include "jounce/spec/drive_figures.hpp"
+#include "jounce/spec/detail/drive_figures.hpp"
 
 #include "design/src/make/cam_of.hpp"
 

@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include "jounce/controllers/table_target.hpp"
-#include "jounce/profiles/six_digits.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 
 namespace jounce::design_detail {
 namespace {

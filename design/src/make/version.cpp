@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/design/version.hpp"
+#include "jounce/design/detail/version.hpp"
 
 #include <algorithm>
 #include <tuple>
@@ -9,12 +9,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "jounce/base/listed.hpp"
-#include "jounce/base/printable.hpp"
+#include "jounce/base/detail/listed.hpp"
+#include "jounce/base/detail/printable.hpp"
 #include "jounce/base/units.hpp"
-#include "jounce/design/axes.hpp"
+#include "jounce/design/detail/axes.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
 
 namespace jounce {
 

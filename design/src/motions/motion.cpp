@@ -10,10 +10,10 @@
 #include <utility>
 
 #include "jounce/optimize/spline_times.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/moves/explain.hpp"
 #include "jounce/profiles/sequences/splice.hpp"
 #include "jounce/profiles/sequences/via.hpp"
-#include "jounce/profiles/six_digits.hpp"
 #include "jounce/spec/detail/in_document.hpp"
 
 namespace jounce::design_detail {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "jounce/cam/algebra/algebra.hpp"
-#include "jounce/design/reference.hpp"
-#include "jounce/design/sync_zones.hpp"
+#include "jounce/design/detail/reference.hpp"
+#include "jounce/design/detail/sync_zones.hpp"
 #include "jounce/profiles/curve/roots.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 

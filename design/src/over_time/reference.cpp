@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/design/reference.hpp"
+#include "jounce/design/detail/reference.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/design/path_cost.hpp"
+#include "jounce/design/detail/path_cost.hpp"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "jounce/base/units.hpp"
-#include "jounce/design/path_text.hpp"
+#include "jounce/design/detail/path_text.hpp"
 #include "jounce/path/along.hpp"
 #include "jounce/path/command_times.hpp"
 #include "jounce/path/path_length.hpp"

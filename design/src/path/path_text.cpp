@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/design/path_text.hpp"
+#include "jounce/design/detail/path_text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@
 
 #include "jounce/base/units.hpp"
 #include "jounce/path/path_length.hpp"
-#include "jounce/profiles/six_digits.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/report/report_text.hpp"
 
 namespace jounce {

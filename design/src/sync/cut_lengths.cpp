@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/design/cut_lengths.hpp"
+#include "jounce/design/detail/cut_lengths.hpp"
 
 #include <algorithm>
 #include <cmath>

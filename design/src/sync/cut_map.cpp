@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/design/cut_map.hpp"
+#include "jounce/design/detail/cut_map.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/design/sync_check.hpp"
+#include "jounce/design/detail/sync_check.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "jounce/base/units.hpp"
-#include "jounce/design/cut_lengths.hpp"
+#include "jounce/design/detail/cut_lengths.hpp"
 #include "jounce/design/make.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/report/report_text.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/design/sync_zones.hpp"
+#include "jounce/design/detail/sync_zones.hpp"
 
 #include <algorithm>
 #include <cmath>

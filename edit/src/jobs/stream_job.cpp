@@ -13,7 +13,7 @@
 
 #include "jounce/base/hash.hpp"
 #include "jounce/design/input.hpp"
-#include "jounce/machine/outcome_text.hpp"
+#include "jounce/machine/detail/outcome_text.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/message/message.hpp"
 #include "jounce/stream/sender/banks.hpp"

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "jounce/profiles/error.hpp"
-#include "jounce/spec/text_numbers.hpp"
+#include "jounce/spec/detail/text_numbers.hpp"
 
 #include "edit/src/cam_change.hpp"
 #include "edit/src/editable.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/executor/cycle.hpp"
+#include "jounce/executor/detail/cycle.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -7,7 +7,7 @@
 #include <ctime>
 #include <utility>
 
-#include "jounce/executor/recorder.hpp"
+#include "jounce/executor/detail/recorder.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/executor/masters.hpp"
+#include "jounce/executor/detail/masters.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "jounce/profiles/six_digits.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 
 namespace jounce {
 namespace {

@@ -9,7 +9,10 @@
 #include <optional>
 #include <thread>
 
+#include "jounce/executor/detail/dispatcher.hpp"
+#include "jounce/executor/detail/recorder.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/stream/detail/claim.hpp"
 
 #include "executor/src/record/run_record.hpp"
 #include "executor/src/server/motion_server.hpp"

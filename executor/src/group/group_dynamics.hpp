@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "jounce/axis/group_program.hpp"
+#include "jounce/axis/detail/group_program.hpp"
 #include "jounce/command/commands.hpp"
 #include "jounce/executor/executor_options.hpp"
 #include "jounce/path/group_limits.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/executor/group_plan.hpp"
+#include "jounce/executor/detail/group_plan.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,10 +7,10 @@
 #include <string_view>
 #include <utility>
 
-#include "jounce/base/listed.hpp"
+#include "jounce/base/detail/listed.hpp"
 #include "jounce/path/direct.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
 
 namespace jounce {
 

@@ -8,14 +8,14 @@
 #include <new>
 #include <utility>
 
-#include "jounce/axis/group_program.hpp"
-#include "jounce/axis/path_clock.hpp"
+#include "jounce/axis/detail/group_program.hpp"
+#include "jounce/axis/detail/path_clock.hpp"
 #include "jounce/base/document.hpp"
-#include "jounce/command/command_table.hpp"
-#include "jounce/executor/group_plan.hpp"
+#include "jounce/command/detail/command_table.hpp"
+#include "jounce/executor/detail/group_plan.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
 
 namespace jounce {
 namespace {

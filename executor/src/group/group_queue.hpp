@@ -13,10 +13,11 @@
 #include <variant>
 #include <vector>
 
-#include "jounce/axis/path_commands.hpp"
-#include "jounce/axis/plan_agreement.hpp"
+#include "jounce/axis/detail/path_commands.hpp"
+#include "jounce/axis/detail/plan_agreement.hpp"
+#include "jounce/executor/detail/sent_program.hpp"
+#include "jounce/executor/detail/worker.hpp"
 #include "jounce/executor/executor_options.hpp"
-#include "jounce/executor/worker.hpp"
 
 #include "executor/src/group/group_dynamics.hpp"
 #include "executor/src/server/command_queue.hpp"

@@ -3,7 +3,8 @@
 
 #include <algorithm>
 
-#include "jounce/executor/group_plan.hpp"
+#include "jounce/executor/detail/group_plan.hpp"
+#include "jounce/executor/detail/sent_program.hpp"
 
 namespace jounce {
 namespace {

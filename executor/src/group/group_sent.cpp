@@ -6,8 +6,9 @@
 #include <new>
 #include <utility>
 
-#include "jounce/axis/group_program.hpp"
-#include "jounce/executor/group_plan.hpp"
+#include "jounce/axis/detail/group_program.hpp"
+#include "jounce/executor/detail/group_plan.hpp"
+#include "jounce/executor/detail/sent_program.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "executor/src/group/group_queue.hpp"

@@ -6,10 +6,10 @@
 #include <utility>
 #include <variant>
 
-#include "jounce/command/command_table.hpp"
-#include "jounce/executor/trace.hpp"
+#include "jounce/command/detail/command_table.hpp"
+#include "jounce/executor/detail/trace.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
 
 namespace jounce {
 

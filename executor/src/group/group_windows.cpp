@@ -7,6 +7,7 @@
 #include <new>
 #include <utility>
 
+#include "jounce/executor/detail/sent_program.hpp"
 #include "jounce/path/command_times.hpp"
 #include "jounce/profiles/error.hpp"
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "jounce/axis/group_program.hpp"
+#include "jounce/axis/detail/group_program.hpp"
 #include "jounce/axis/tick.hpp"
 #include "jounce/stream/message/message.hpp"
 

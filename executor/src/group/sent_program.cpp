@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/executor/sent_program.hpp"
+#include "jounce/executor/detail/sent_program.hpp"
 
 #include <algorithm>
 #include <cstdlib>
 #include <utility>
 
+#include "jounce/executor/detail/group_plan.hpp"
 #include "jounce/executor/executor_options.hpp"
-#include "jounce/executor/group_plan.hpp"
 #include "jounce/path/command_times.hpp"
 
 namespace jounce {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/executor/log.hpp"
+#include "jounce/executor/detail/log.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/executor/record.hpp"
+#include "jounce/executor/detail/record.hpp"
 
 #include <algorithm>
 #include <array>

@@ -9,8 +9,8 @@
 #include <type_traits>
 #include <variant>
 
-#include "jounce/command/command_table.hpp"
-#include "jounce/executor/record.hpp"
+#include "jounce/command/detail/command_table.hpp"
+#include "jounce/executor/detail/record.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "executor/src/record/command_fields.hpp"

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <array>
 
-#include "jounce/command/command_table.hpp"
 #include "jounce/command/command_values.hpp"
+#include "jounce/command/detail/command_table.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "executor/src/record/record_wire.hpp"

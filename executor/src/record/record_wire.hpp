@@ -6,7 +6,7 @@
 #include <cstring>
 #include <string>
 
-#include "jounce/base/printable.hpp"
+#include "jounce/base/detail/printable.hpp"
 
 #include "executor/src/record/record_fields.hpp"
 #include "jounce_record/axis_t.hpp"

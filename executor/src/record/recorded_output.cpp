@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/executor/recorded_output.hpp"
+#include "jounce/executor/detail/recorded_output.hpp"
 
 #include <algorithm>
 #include <string>

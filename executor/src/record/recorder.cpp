@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/executor/recorder.hpp"
+#include "jounce/executor/detail/recorder.hpp"
 
 #include <algorithm>
 #include <cerrno>

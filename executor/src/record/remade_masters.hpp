@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "jounce/executor/record.hpp"
+#include "jounce/executor/detail/record.hpp"
 
 namespace jounce::executor_detail {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/executor/replay.hpp"
+#include "jounce/executor/detail/replay.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "jounce/axis/axis.hpp"
-#include "jounce/axis/group_path.hpp"
+#include "jounce/axis/detail/group_path.hpp"
+#include "jounce/axis/detail/live_cuts.hpp"
 #include "jounce/axis/live_cam.hpp"
-#include "jounce/axis/live_cuts.hpp"
 #include "jounce/base/detail/lcm_log.hpp"
 #include "jounce/profiles/error.hpp"
 

@@ -3,6 +3,9 @@
 
 #include <utility>
 
+#include "jounce/executor/detail/record.hpp"
+#include "jounce/executor/detail/recorder.hpp"
+
 namespace jounce::executor_detail {
 namespace {
 

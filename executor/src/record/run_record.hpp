@@ -4,6 +4,8 @@
 #include <memory>
 #include <vector>
 
+#include "jounce/executor/detail/record.hpp"
+#include "jounce/executor/detail/recorder.hpp"
 #include "jounce/executor/run_executor.hpp"
 
 namespace jounce::executor_detail {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/executor/trace.hpp"
+#include "jounce/executor/detail/trace.hpp"
 
 #include <algorithm>
 #include <atomic>

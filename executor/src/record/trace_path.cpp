@@ -4,7 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "jounce/executor/trace.hpp"
+#include "jounce/axis/detail/group_program.hpp"
+#include "jounce/executor/detail/trace.hpp"
 
 namespace jounce {
 namespace {

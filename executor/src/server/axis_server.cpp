@@ -4,7 +4,7 @@
 #include <utility>
 #include <variant>
 
-#include "jounce/executor/recorder.hpp"
+#include "jounce/executor/detail/recorder.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "executor/src/server/executed_command.hpp"

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "jounce/executor/cycle.hpp"
+#include "jounce/executor/detail/cycle.hpp"
 
 namespace jounce {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/executor/dispatcher.hpp"
+#include "jounce/executor/detail/dispatcher.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include "jounce/executor/recorder.hpp"
+#include "jounce/executor/detail/recorder.hpp"
 
 #include "executor/src/group/group_server.hpp"
 #include "executor/src/server/axis_server.hpp"

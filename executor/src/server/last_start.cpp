@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "jounce/command/refusal_text.hpp"
-#include "jounce/profiles/six_digits.hpp"
+#include "jounce/command/detail/refusal_text.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 
 namespace jounce {
 

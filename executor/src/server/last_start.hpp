@@ -6,8 +6,8 @@
 #include <string>
 
 #include "jounce/axis/tick.hpp"
+#include "jounce/stream/detail/receiver.hpp"
 #include "jounce/stream/message/message.hpp"
-#include "jounce/stream/receiver/receiver.hpp"
 
 namespace jounce {
 

@@ -4,11 +4,12 @@
 #include <new>
 #include <utility>
 
-#include "jounce/axis/group_path.hpp"
+#include "jounce/axis/detail/group_path.hpp"
+#include "jounce/axis/detail/live_cuts.hpp"
 #include "jounce/axis/job.hpp"
 #include "jounce/axis/live_cam.hpp"
-#include "jounce/axis/live_cuts.hpp"
-#include "jounce/executor/group_plan.hpp"
+#include "jounce/executor/detail/group_plan.hpp"
+#include "jounce/executor/detail/sent_program.hpp"
 #include "jounce/path/program_numbers.hpp"
 #include "jounce/profiles/error.hpp"
 

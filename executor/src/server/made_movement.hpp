@@ -8,9 +8,10 @@
 #include <string>
 
 #include "jounce/axis/movement.hpp"
+#include "jounce/executor/detail/record.hpp"
+#include "jounce/executor/detail/sent_program.hpp"
 #include "jounce/executor/executor_options.hpp"
-#include "jounce/executor/record.hpp"
-#include "jounce/stream/receiver/receiver.hpp"
+#include "jounce/stream/detail/receiver.hpp"
 
 namespace jounce {
 

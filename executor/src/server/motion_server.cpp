@@ -7,13 +7,13 @@
 #include <utility>
 #include <variant>
 
-#include "jounce/axis/path_clock.hpp"
-#include "jounce/command/command_table.hpp"
-#include "jounce/command/refusal_text.hpp"
-#include "jounce/executor/recorder.hpp"
-#include "jounce/executor/trace.hpp"
+#include "jounce/axis/detail/path_clock.hpp"
+#include "jounce/command/detail/command_table.hpp"
+#include "jounce/command/detail/refusal_text.hpp"
+#include "jounce/executor/detail/recorder.hpp"
+#include "jounce/executor/detail/trace.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
-#include "jounce/profiles/six_digits.hpp"
 
 #include "executor/src/server/events.hpp"
 #include "executor/src/server/notices.hpp"

@@ -9,13 +9,13 @@
 #include <utility>
 #include <vector>
 
-#include "jounce/executor/cycle.hpp"
+#include "jounce/executor/detail/cycle.hpp"
+#include "jounce/executor/detail/log.hpp"
+#include "jounce/executor/detail/queues.hpp"
+#include "jounce/executor/detail/worker.hpp"
 #include "jounce/executor/executor_options.hpp"
-#include "jounce/executor/log.hpp"
-#include "jounce/executor/queues.hpp"
-#include "jounce/executor/worker.hpp"
+#include "jounce/stream/detail/receiver.hpp"
 #include "jounce/stream/message/message.hpp"
-#include "jounce/stream/receiver/receiver.hpp"
 
 #include "executor/src/server/command_queue.hpp"
 #include "executor/src/server/last_start.hpp"

@@ -9,8 +9,8 @@
 #include <optional>
 #include <utility>
 
-#include "jounce/executor/worker.hpp"
-#include "jounce/stream/receiver/receiver.hpp"
+#include "jounce/executor/detail/worker.hpp"
+#include "jounce/stream/detail/receiver.hpp"
 
 #include "executor/src/server/made_movement.hpp"
 

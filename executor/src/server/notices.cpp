@@ -5,10 +5,10 @@
 #include <cmath>
 #include <initializer_list>
 
-#include "jounce/command/command_table.hpp"
-#include "jounce/command/refusal_text.hpp"
+#include "jounce/command/detail/command_table.hpp"
+#include "jounce/command/detail/refusal_text.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
 #include "jounce/stream/message/message.hpp"
 
 namespace jounce {

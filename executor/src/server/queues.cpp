@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/executor/queues.hpp"
+#include "jounce/executor/detail/queues.hpp"
 
 #include <algorithm>
 #include <new>
 #include <utility>
 
-#include "jounce/profiles/digits_beside.hpp"
+#include "jounce/profiles/detail/digits_beside.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
-#include "jounce/stream/sender/row_sender.hpp"
+#include "jounce/stream/detail/row_sender.hpp"
 
 namespace jounce {
 namespace {

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "jounce/profiles/curve/between.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
 
 #include "gear/src/cut/knife_parts.hpp"
 #include "gear/src/ratio/rest_to_rest.hpp"

@@ -4,9 +4,9 @@
 #include <numbers>
 
 #include "jounce/gear/flying_shear.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
 
 #include "gear/src/ratio/rest_to_rest.hpp"
 

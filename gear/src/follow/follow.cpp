@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "jounce/profiles/detail/numeric.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
 
 #include "gear/src/follow/follow_passes.hpp"
 

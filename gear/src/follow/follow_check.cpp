@@ -7,7 +7,7 @@
 
 #include "jounce/gear/follow.hpp"
 #include "jounce/profiles/detail/numeric.hpp"
-#include "jounce/profiles/six_digits.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 
 #include "gear/src/follow/follow_passes.hpp"
 

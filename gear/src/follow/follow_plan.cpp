@@ -7,8 +7,8 @@
 
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/detail/numeric.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
 
 #include "gear/src/follow/follow_gap.hpp"
 #include "gear/src/follow/follow_knots.hpp"

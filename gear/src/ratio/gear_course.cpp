@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "jounce/profiles/detail/entry_key.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
 
 namespace jounce {
 namespace {

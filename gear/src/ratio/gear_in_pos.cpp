@@ -13,9 +13,9 @@
 #include "jounce/gear/gear.hpp"
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/curve/roots.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
 
 // The engagement over z in [0, 1] is h times the law from rest to the slope rho (VDI 2143: R-G).
 // For the quintic, this law is

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "jounce/cam/coupling/followed.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
 
 // The equations (1) to (3) are in the header.
 

@@ -6,9 +6,9 @@
 
 #include "jounce/cam/coupling/master_limits.hpp"
 #include "jounce/profiles/curve/composed.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
 
 #include "gear/src/ratio/rest_to_rest.hpp"
 

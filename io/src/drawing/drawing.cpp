@@ -7,10 +7,10 @@
 #include <limits>
 #include <utility>
 
+#include "jounce/base/detail/listed.hpp"
 #include "jounce/base/file.hpp"
-#include "jounce/base/listed.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
 
 #include "io/src/drawing/strokes.hpp"
 

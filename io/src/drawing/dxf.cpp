@@ -9,8 +9,8 @@
 #include <optional>
 #include <utility>
 
-#include "jounce/base/csv.hpp"
-#include "jounce/base/printable.hpp"
+#include "jounce/base/detail/csv.hpp"
+#include "jounce/base/detail/printable.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "io/src/drawing/strokes.hpp"

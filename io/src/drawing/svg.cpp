@@ -6,7 +6,7 @@
 
 #include <pugixml.hpp>
 
-#include "jounce/base/printable.hpp"
+#include "jounce/base/detail/printable.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "io/src/drawing/svg_path.hpp"

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "jounce/base/printable.hpp"
+#include "jounce/base/detail/printable.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce::io_detail {

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <system_error>
 
-#include "jounce/base/printable.hpp"
+#include "jounce/base/detail/printable.hpp"
 
 namespace jounce::io_detail {
 namespace {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "jounce/base/units.hpp"
-#include "jounce/profiles/six_digits.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 
 #include "io/src/gcode/gcode_words.hpp"
 #include "io/src/gcode/interpreter.hpp"

@@ -6,7 +6,7 @@
 #include "jounce/base/document.hpp"
 #include "jounce/path/arc.hpp"
 #include "jounce/path/rotary.hpp"
-#include "jounce/profiles/six_digits.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 
 #include "io/src/gcode/interpreter.hpp"
 

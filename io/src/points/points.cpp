@@ -11,9 +11,9 @@
 #include <optional>
 #include <utility>
 
+#include "jounce/base/detail/listed.hpp"
+#include "jounce/base/detail/printable.hpp"
 #include "jounce/base/file.hpp"
-#include "jounce/base/listed.hpp"
-#include "jounce/base/printable.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/profiles/error.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/io/points_text.hpp"
+#include "jounce/io/detail/points_text.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/machine/command_words.hpp"
+#include "jounce/machine/detail/command_words.hpp"
 
 #include <algorithm>
 #include <bitset>
@@ -7,8 +7,8 @@
 #include <cmath>
 #include <utility>
 
-#include "jounce/base/csv.hpp"
-#include "jounce/base/listed.hpp"
+#include "jounce/base/detail/csv.hpp"
+#include "jounce/base/detail/listed.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/command/command_values.hpp"
 #include "jounce/profiles/error.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/machine/dashboard.hpp"
+#include "jounce/machine/detail/dashboard.hpp"
 
 #include <algorithm>
 

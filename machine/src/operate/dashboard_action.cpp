@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "jounce/command/cause.hpp"
-#include "jounce/machine/dashboard.hpp"
+#include "jounce/machine/detail/dashboard.hpp"
 #include "jounce/stream/sender/driver.hpp"
 
 namespace jounce::dashboard {

@@ -9,8 +9,8 @@
 
 #include "jounce/command/cause.hpp"
 #include "jounce/executor/histogram.hpp"
-#include "jounce/machine/status_text.hpp"
-#include "jounce/profiles/six_digits.hpp"
+#include "jounce/machine/detail/status_text.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 
 #include "machine/src/operate/dashboard_text.hpp"
 

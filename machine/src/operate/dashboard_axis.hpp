@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "jounce/machine/dashboard.hpp"
+#include "jounce/machine/detail/dashboard.hpp"
 
 namespace jounce::machine_detail {
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/machine/message_catalog.hpp"
+#include "jounce/machine/detail/message_catalog.hpp"
 
 #include <array>
 #include <string>
 #include <string_view>
 
-#include "jounce/command/causes.hpp"
+#include "jounce/command/detail/causes.hpp"
 #include "jounce/controllers/controller_errors.hpp"
 #include "jounce/report/rules.hpp"
-#include "jounce/stream/message/refusals.hpp"
+#include "jounce/stream/detail/refusals.hpp"
 
 namespace jounce {
 namespace {

@@ -4,9 +4,9 @@
 #include <optional>
 #include <span>
 
-#include "jounce/command/command_table.hpp"
+#include "jounce/command/detail/command_table.hpp"
 #include "jounce/command/field.hpp"
-#include "jounce/machine/command_words.hpp"
+#include "jounce/machine/detail/command_words.hpp"
 
 namespace jounce {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/machine/status_text.hpp"
+#include "jounce/machine/detail/status_text.hpp"
 
 #include <cmath>
 #include <utility>
@@ -10,7 +10,7 @@
 #include "jounce/base/units.hpp"
 #include "jounce/command/cause.hpp"
 #include "jounce/command/commands.hpp"
-#include "jounce/profiles/six_digits.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 
 #include "machine/src/operate/dashboard_text.hpp"
 

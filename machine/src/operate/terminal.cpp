@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/machine/terminal.hpp"
+#include "jounce/machine/detail/terminal.hpp"
 
 #include <array>
 #include <cerrno>

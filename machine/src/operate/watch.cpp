@@ -8,9 +8,9 @@
 #include <utility>
 #include <variant>
 
-#include "jounce/base/csv.hpp"
-#include "jounce/base/listed.hpp"
-#include "jounce/machine/outcome_text.hpp"
+#include "jounce/base/detail/csv.hpp"
+#include "jounce/base/detail/listed.hpp"
+#include "jounce/machine/detail/outcome_text.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/sender/operate.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/machine/group_position.hpp"
+#include "jounce/machine/detail/group_position.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,12 +10,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "jounce/base/listed.hpp"
-#include "jounce/base/nearest.hpp"
+#include "jounce/base/detail/listed.hpp"
+#include "jounce/base/detail/nearest.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/path/axis_map.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
 #include "jounce/spec/machine_spec.hpp"
 #include "jounce/spec/spec.hpp"
 

@@ -6,16 +6,18 @@
 #include <utility>
 #include <variant>
 
-#include "jounce/axis/group_program.hpp"
+#include "jounce/axis/detail/group_program.hpp"
+#include "jounce/base/detail/listed.hpp"
+#include "jounce/base/detail/nearest.hpp"
 #include "jounce/base/file.hpp"
-#include "jounce/base/listed.hpp"
-#include "jounce/base/nearest.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/design/input.hpp"
 #include "jounce/design/make.hpp"
-#include "jounce/executor/group_plan.hpp"
+#include "jounce/executor/detail/group_plan.hpp"
+#include "jounce/executor/detail/sent_program.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/spec/spec.hpp"
+#include "jounce/stream/message/message.hpp"
 
 namespace jounce::machine_detail {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "jounce/axis/master.hpp"
-#include "jounce/design/executor_tables.hpp"
+#include "jounce/design/detail/executor_tables.hpp"
 #include "jounce/drive/encoder.hpp"
 #include "jounce/drive/shared_drive.hpp"
 #include "jounce/profiles/error.hpp"

@@ -9,12 +9,12 @@
 #include <utility>
 #include <vector>
 
-#include "jounce/axis/homing_method.hpp"
+#include "jounce/axis/detail/homing_method.hpp"
 #include "jounce/axis/machine.hpp"
+#include "jounce/base/detail/nearest.hpp"
 #include "jounce/base/file.hpp"
-#include "jounce/base/nearest.hpp"
 #include "jounce/design/make.hpp"
-#include "jounce/executor/dispatcher.hpp"
+#include "jounce/executor/detail/dispatcher.hpp"
 #include "jounce/spec/axis_drive.hpp"
 
 #include "machine/src/parts/axis_drive.hpp"

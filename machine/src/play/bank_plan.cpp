@@ -2,11 +2,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "jounce/design/executor_tables.hpp"
-#include "jounce/gear/follow_banks.hpp"
+#include "jounce/design/detail/executor_tables.hpp"
+#include "jounce/gear/detail/follow_banks.hpp"
 #include "jounce/machine/play_plan.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
 #include "jounce/spec/sync_spec.hpp"
 
 namespace jounce {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/machine/line_master.hpp"
+#include "jounce/machine/detail/line_master.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -13,9 +13,9 @@
 #include <nlohmann/json.hpp>
 
 #include "jounce/axis/master.hpp"
-#include "jounce/design/executor_tables.hpp"
-#include "jounce/executor/cycle.hpp"
-#include "jounce/profiles/six_digits.hpp"
+#include "jounce/design/detail/executor_tables.hpp"
+#include "jounce/executor/detail/cycle.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/stream/sender/driver.hpp"
 
 namespace jounce {

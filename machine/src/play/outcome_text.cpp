@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/machine/outcome_text.hpp"
+#include "jounce/machine/detail/outcome_text.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -10,11 +10,11 @@
 #include <nlohmann/json.hpp>
 
 #include "jounce/base/units.hpp"
-#include "jounce/command/causes.hpp"
 #include "jounce/command/commands.hpp"
-#include "jounce/command/refusal_text.hpp"
-#include "jounce/profiles/six_digits.hpp"
-#include "jounce/stream/message/refusals.hpp"
+#include "jounce/command/detail/causes.hpp"
+#include "jounce/command/detail/refusal_text.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
+#include "jounce/stream/detail/refusals.hpp"
 
 namespace jounce {
 namespace {

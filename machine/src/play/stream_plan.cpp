@@ -3,13 +3,13 @@
 #include <cmath>
 #include <utility>
 
-#include "jounce/base/csv.hpp"
+#include "jounce/base/detail/csv.hpp"
 #include "jounce/base/units.hpp"
-#include "jounce/design/executor_tables.hpp"
-#include "jounce/design/sync_check.hpp"
+#include "jounce/design/detail/executor_tables.hpp"
+#include "jounce/design/detail/sync_check.hpp"
 #include "jounce/machine/play_plan.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
 
 namespace jounce {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/machine/replay_text.hpp"
+#include "jounce/machine/detail/replay_text.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -11,11 +11,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "jounce/base/printable.hpp"
+#include "jounce/base/detail/printable.hpp"
 #include "jounce/command/state.hpp"
-#include "jounce/executor/log.hpp"
+#include "jounce/executor/detail/log.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
 
 namespace jounce {
 namespace {

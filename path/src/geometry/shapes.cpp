@@ -10,9 +10,9 @@
 #include "jounce/cam/laws/spline.hpp"
 #include "jounce/profiles/detail/hermite.hpp"
 #include "jounce/profiles/detail/numeric.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
 
 #include "path/src/geometry/gauss.hpp"
 #include "path/src/geometry/hull.hpp"

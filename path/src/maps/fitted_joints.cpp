@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "jounce/profiles/detail/hermite.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
 
 #include "path/src/corners/blend.hpp"
 #include "path/src/geometry/hull.hpp"

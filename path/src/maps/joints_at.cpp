@@ -4,8 +4,8 @@
 #include <cmath>
 #include <span>
 
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
 
 namespace jounce::path_detail {
 

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "jounce/path/plan.hpp"
-#include "jounce/profiles/six_digits.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 
 #include "path/src/corners/blend.hpp"
 #include "path/src/corners/turn.hpp"

@@ -4,9 +4,9 @@
 #include <span>
 #include <utility>
 
+#include "jounce/design/detail/sync_zones.hpp"
 #include "jounce/design/make.hpp"
 #include "jounce/design/over_time.hpp"
-#include "jounce/design/sync_zones.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/report/comparison.hpp"
 #include "jounce/spec/spec.hpp"

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "jounce/design/load_figures.hpp"
+#include "jounce/design/detail/load_figures.hpp"
 #include "jounce/spec/shape_spec.hpp"
 
 #include "plot/src/figure/input_look.hpp"

@@ -7,9 +7,9 @@
 #include <functional>
 #include <utility>
 
-#include "jounce/base/listed.hpp"
+#include "jounce/base/detail/listed.hpp"
 #include "jounce/base/units.hpp"
-#include "jounce/design/path_cost.hpp"
+#include "jounce/design/detail/path_cost.hpp"
 #include "jounce/path/plan.hpp"
 
 #include "plot/src/figure/path_points.hpp"

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "jounce/profiles/detail/hermite.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
 
 // p is the polynomial of degree 11 with the Taylor coefficients of h of order 0 to 5 at s = 0 and
 // at s = 1. Let T be the first six terms of h at 0, and u = s - 1. Then

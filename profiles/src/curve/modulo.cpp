@@ -5,9 +5,9 @@
 #include <cmath>
 #include <optional>
 
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
 
 // fmod is exact in IEEE arithmetic. The differences of remainders below are exact, except for one
 // rounding. With r = x mod M, the way forward from x to a target u is

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
 
 namespace jounce {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
 
 #include "profiles/src/moves/duration.hpp"
 

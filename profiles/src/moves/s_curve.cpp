@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
 
 #include "profiles/src/moves/duration.hpp"
 #include "profiles/src/solver/span.hpp"

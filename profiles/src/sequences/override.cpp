@@ -7,9 +7,9 @@
 
 #include "jounce/profiles/curve/composed.hpp"
 #include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
 
 #include "profiles/src/sequences/override_ramp.hpp"
 

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "jounce/profiles/curve/between.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
 
 // The window extends from its tail x - T to its head x:
 //

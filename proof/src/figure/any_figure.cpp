@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "jounce/base/file.hpp"
-#include "jounce/design/axes.hpp"
+#include "jounce/design/detail/axes.hpp"
 #include "jounce/design/over_time.hpp"
 #include "jounce/plot/input_figure.hpp"
 #include "jounce/plot/load_figure.hpp"

@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "jounce/design/driven.hpp"
-#include "jounce/design/reference.hpp"
+#include "jounce/design/detail/driven.hpp"
+#include "jounce/design/detail/reference.hpp"
 #include "jounce/plot/label.hpp"
 #include "jounce/profiles/vibration/vibration.hpp"
 #include "jounce/validate/linear_drive.hpp"

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "jounce/design/reference.hpp"
+#include "jounce/design/detail/reference.hpp"
 #include "jounce/plot/label.hpp"
 
 namespace jounce {

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "jounce/profiles/curve/between.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
 #include "jounce/pvt/position_compare.hpp"
 
 namespace jounce {

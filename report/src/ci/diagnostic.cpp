@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/report/diagnostic.hpp"
+#include "jounce/report/detail/diagnostic.hpp"
 
 #include <algorithm>
 
+#include "jounce/base/detail/printable.hpp"
 #include "jounce/base/input_errors.hpp"
-#include "jounce/base/printable.hpp"
 
 namespace jounce {
 

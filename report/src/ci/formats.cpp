@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/report/ci_formats.hpp"
+#include "jounce/report/detail/ci_formats.hpp"
 
 namespace jounce {
 

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "jounce/report/ci_formats.hpp"
+#include "jounce/report/detail/ci_formats.hpp"
 
 #include "report/src/ci/shared.hpp"
 

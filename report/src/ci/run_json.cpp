@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "jounce/report/ci_formats.hpp"
+#include "jounce/report/detail/ci_formats.hpp"
 
 namespace jounce {
 namespace {

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "jounce/report/ci_formats.hpp"
+#include "jounce/report/detail/ci_formats.hpp"
 #include "jounce/report/rules.hpp"
 
 #include "report/src/ci/shared.hpp"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "jounce/base/hash.hpp"
-#include "jounce/report/diagnostic.hpp"
+#include "jounce/report/detail/diagnostic.hpp"
 
 /// Parts that several CI formats share.
 namespace jounce::report_detail {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "jounce/base/nearest.hpp"
+#include "jounce/base/detail/nearest.hpp"
 #include "jounce/base/units.hpp"
-#include "jounce/cam/laws/law_names.hpp"
+#include "jounce/cam/detail/law_names.hpp"
 
 #include "spec/src/cams/cam_points.hpp"
 #include "spec/src/toml/parts.hpp"

@@ -9,8 +9,8 @@
 #include "jounce/cam/algebra/algebra.hpp"
 #include "jounce/cam/algebra/inverse.hpp"
 #include "jounce/profiles/curve/extrema.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
-#include "jounce/profiles/six_digits.hpp"
 
 #include "spec/src/cams/cam_source.hpp"
 #include "spec/src/toml/parts.hpp"

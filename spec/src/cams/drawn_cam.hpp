@@ -3,8 +3,8 @@
 
 #include <optional>
 
+#include "jounce/spec/detail/drawn_cam.hpp"
 #include "jounce/spec/detail/toml_reader.hpp"
-#include "jounce/spec/drawn_cam.hpp"
 
 namespace jounce::spec_detail {
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "jounce/base/units.hpp"
-#include "jounce/controllers/time_table_limits.hpp"
+#include "jounce/controllers/detail/time_table_limits.hpp"
 
 #include "spec/src/toml/parts.hpp"
 #include "spec/src/toml/point_file.hpp"

@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "jounce/base/listed.hpp"
-#include "jounce/base/nearest.hpp"
+#include "jounce/base/detail/listed.hpp"
+#include "jounce/base/detail/nearest.hpp"
 #include "jounce/base/units.hpp"
-#include "jounce/spec/drive_figures.hpp"
+#include "jounce/spec/detail/drive_figures.hpp"
 
 namespace jounce {
 

@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "jounce/gear/gear.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
 #include "jounce/spec/detail/in_document.hpp"
 #include "jounce/spec/sync_spec.hpp"
 

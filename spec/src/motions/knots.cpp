@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "jounce/base/units.hpp"
-#include "jounce/controllers/time_table_limits.hpp"
+#include "jounce/controllers/detail/time_table_limits.hpp"
 #include "jounce/optimize/spline_times.hpp"
 #include "jounce/pvt/fill.hpp"
 

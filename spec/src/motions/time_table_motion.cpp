@@ -4,7 +4,7 @@
 #include <iterator>
 #include <utility>
 
-#include "jounce/controllers/time_table_limits.hpp"
+#include "jounce/controllers/detail/time_table_limits.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/pvt/warnings.hpp"
 #include "jounce/spec/detail/in_document.hpp"

@@ -5,7 +5,7 @@
 #include <tuple>
 #include <vector>
 
-#include "jounce/base/nearest.hpp"
+#include "jounce/base/detail/nearest.hpp"
 
 #include "spec/src/toml/parts.hpp"
 

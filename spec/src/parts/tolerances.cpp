@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "jounce/base/nearest.hpp"
+#include "jounce/base/detail/nearest.hpp"
 #include "jounce/spec/detail/share.hpp"
 
 #include "spec/src/toml/parts.hpp"

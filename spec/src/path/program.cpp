@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "jounce/base/file.hpp"
+#include "jounce/io/detail/records.hpp"
 #include "jounce/io/points.hpp"
-#include "jounce/io/records.hpp"
 #include "jounce/path/rotary.hpp"
 
 #include "spec/src/path/parts.hpp"

@@ -5,7 +5,7 @@
 #include <charconv>
 #include <filesystem>
 
-#include "jounce/base/listed.hpp"
+#include "jounce/base/detail/listed.hpp"
 
 namespace jounce::spec_detail {
 std::optional<Points> read_point_file(TomlReader& owner, const char* rows,

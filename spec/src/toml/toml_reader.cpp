@@ -7,12 +7,12 @@
 #include <sstream>
 #include <utility>
 
+#include "jounce/base/detail/listed.hpp"
+#include "jounce/base/detail/nearest.hpp"
+#include "jounce/base/detail/printable.hpp"
 #include "jounce/base/input_errors.hpp"
-#include "jounce/base/listed.hpp"
-#include "jounce/base/nearest.hpp"
-#include "jounce/base/printable.hpp"
 #include "jounce/base/units.hpp"
-#include "jounce/profiles/six_digits.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 
 #include "spec/src/toml/toml_syntax.hpp"
 

@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include "jounce/base/csv.hpp"
-#include "jounce/base/printable.hpp"
+#include "jounce/base/detail/csv.hpp"
+#include "jounce/base/detail/printable.hpp"
 
 namespace jounce::spec_detail {
 namespace {

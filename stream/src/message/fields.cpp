@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "jounce/base/printable.hpp"
+#include "jounce/base/detail/printable.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce::wire {

@@ -3,7 +3,7 @@
 
 #include <type_traits>
 
-#include "jounce/command/command_table.hpp"
+#include "jounce/command/detail/command_table.hpp"
 #include "jounce/stream/message/message.hpp"
 
 #include "jounce_lcm/ack_t.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/stream/message/refusals.hpp"
+#include "jounce/stream/detail/refusals.hpp"
 
 #include <array>
 

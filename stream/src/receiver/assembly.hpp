@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "jounce/base/hash.hpp"
+#include "jounce/stream/detail/table_store.hpp"
 #include "jounce/stream/message/message.hpp"
-#include "jounce/stream/receiver/table_store.hpp"
 
 #include "stream/src/message/refusal.hpp"
 

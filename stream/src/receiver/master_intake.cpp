@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/stream/receiver/master_intake.hpp"
+#include "jounce/stream/detail/master_intake.hpp"
 
 namespace jounce {
 

@@ -3,7 +3,7 @@
 #include <cassert>
 #include <utility>
 
-#include "jounce/command/command_table.hpp"
+#include "jounce/command/detail/command_table.hpp"
 
 #include "stream/src/receiver/receiver_impl.hpp"
 

@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "jounce/command/command_table.hpp"
+#include "jounce/command/detail/command_table.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/message/wire.hpp"
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "jounce/stream/receiver/receiver.hpp"
+#include "jounce/stream/detail/receiver.hpp"
 
 #include "stream/src/message/refusal.hpp"
 #include "stream/src/receiver/challenges.hpp"

@@ -6,8 +6,8 @@
 #include <map>
 #include <vector>
 
+#include "jounce/stream/detail/queue_level.hpp"
 #include "jounce/stream/message/message.hpp"
-#include "jounce/stream/receiver/queue_level.hpp"
 
 #include "stream/src/message/refusal.hpp"
 

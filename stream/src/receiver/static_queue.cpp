@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "jounce/profiles/error.hpp"
+#include "jounce/stream/detail/row_window.hpp"
 
 #include "stream/src/sender/reasons.hpp"
 
@@ -16,7 +17,7 @@ wire::Queue checked(wire::Queue queue) {
   if (const std::string rule = contradiction(queue); !rule.empty())
     throw InputError("queue", std::to_string(queue.queue), rule);
   if (queue.mode != wire::QueueMode::static_)
-    throw InputError("queue", "dynamic", "must be static: use RowSender for a dynamic queue");
+    throw InputError("queue", "dynamic", "must be static: use stream_rows() for a dynamic queue");
   return queue;
 }
 
@@ -35,6 +36,8 @@ StaticQueue::StaticQueue(Client& client, wire::Queue queue)
     : client_(client),
       queue_(checked(std::move(queue))),
       banks_{RowWindow(queue_, 0), RowWindow(queue_, 1)} {}
+
+StaticQueue::~StaticQueue() = default;
 
 /// Returns the next answer to this queue's messages.
 std::optional<wire::QueueAck> StaticQueue::receive(Nanos until) {

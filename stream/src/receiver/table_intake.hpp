@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "jounce/stream/detail/table_store.hpp"
 #include "jounce/stream/message/message.hpp"
-#include "jounce/stream/receiver/table_store.hpp"
 
 #include "stream/src/message/refusal.hpp"
 #include "stream/src/receiver/assembly.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/stream/sender/ask.hpp"
+#include "jounce/stream/detail/ask.hpp"
 
 #include <utility>
 #include <variant>

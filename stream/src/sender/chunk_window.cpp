@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/stream/sender/chunk_window.hpp"
+#include "jounce/stream/detail/chunk_window.hpp"
 
 #include <algorithm>
 

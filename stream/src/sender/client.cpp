@@ -5,9 +5,10 @@
 #include <exception>
 #include <utility>
 
-#include "jounce/command/command_table.hpp"
 #include "jounce/command/command_values.hpp"
+#include "jounce/command/detail/command_table.hpp"
 #include "jounce/profiles/error.hpp"
+#include "jounce/stream/detail/ask.hpp"
 
 #include "stream/src/sender/reasons.hpp"
 
@@ -32,6 +33,7 @@ Client::Client(Transport& link, std::string executor, ClientOptions options, Clo
       executor_(std::move(executor)),
       options_(std::move(options)),
       clock_(std::move(clock)),
+      slot_(std::make_unique<CommandSlot>()),
       exceptions_(std::uncaught_exceptions()) {
   if (!wire::is_executor_name(executor_))
     throw InputError("executor", executor_, wire::executor_name_rule);
@@ -52,8 +54,8 @@ Client::~Client() {
 /// Sends one command under the next number, repeated until its outcome.
 CallOutcome Client::ask(const wire::Body& body, Nanos patience) {
   wire::Message message{executor_, session_, {}, challenge_};
-  slot_.issue(body);
-  const auto reply = jounce::ask(link_, message, slot_,
+  slot_->issue(body);
+  const auto reply = jounce::ask(link_, message, *slot_,
                                  {.key = options_.key,
                                   .patience = std::min(patience, options_.patience),
                                   .repeat = options_.repeat},
@@ -65,7 +67,7 @@ CallOutcome Client::ask(const wire::Body& body, Nanos patience) {
             "no answer from " + executor_ +
                 (foreign ? "; its messages are unsigned, or signed with another key" : "")};
   }
-  if (slot_.number() > 1 && reply->boot != boot_) {
+  if (slot_->number() > 1 && reply->boot != boot_) {
     session_ = 0;
     return {StreamError::restarted, wire::Refusal::none, 0,
             "the executor has restarted, and has not executed the command"};
@@ -91,7 +93,7 @@ std::optional<wire::Message> Client::receive(Nanos timeout) {
 CallOutcome Client::open(Nanos patience) {
   session_ = random_id();
   challenge_ = boot_ = 0;
-  slot_ = CommandSlot();
+  *slot_ = CommandSlot();
   CallOutcome outcome = ask(wire::Heartbeat{}, patience);
   if (!outcome.ok()) session_ = 0;
   return outcome;

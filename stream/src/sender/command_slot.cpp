@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/stream/sender/command_slot.hpp"
+#include "jounce/stream/detail/command_slot.hpp"
 
 #include <utility>
 #include <variant>

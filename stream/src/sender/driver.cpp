@@ -6,7 +6,12 @@
 #include <utility>
 #include <variant>
 
-#include "jounce/stream/sender/ask.hpp"
+#include "jounce/stream/detail/ask.hpp"
+#include "jounce/stream/detail/receiver.hpp"
+#include "jounce/stream/detail/receiver_pump.hpp"
+#include "jounce/stream/detail/row_sender.hpp"
+#include "jounce/stream/detail/sender.hpp"
+#include "jounce/stream/receiver/receiver_options.hpp"
 
 #include "stream/src/sender/reasons.hpp"
 

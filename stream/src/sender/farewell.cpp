@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/stream/sender/farewell.hpp"
+#include "jounce/stream/detail/farewell.hpp"
 
 namespace jounce {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/stream/sender/group.hpp"
+#include "jounce/stream/detail/group.hpp"
 
 #include <algorithm>
 #include <set>

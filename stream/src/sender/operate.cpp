@@ -8,7 +8,7 @@
 #include <variant>
 
 #include "jounce/command/cause.hpp"
-#include "jounce/command/command_table.hpp"
+#include "jounce/command/detail/command_table.hpp"
 #include "jounce/stream/transport/link.hpp"
 
 namespace jounce {

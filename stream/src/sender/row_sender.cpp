@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/stream/sender/row_sender.hpp"
+#include "jounce/stream/detail/row_sender.hpp"
 
 #include <algorithm>
 #include <cassert>

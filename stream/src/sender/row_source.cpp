@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "jounce/pvt/segment_row.hpp"
-#include "jounce/stream/sender/row_sender.hpp"
+#include "jounce/stream/detail/row_sender.hpp"
 
 namespace jounce {
 namespace {

@@ -21,7 +21,7 @@ void require_fit(const StreamPlan& plan, const SwapPlan& leg) {
   require_valid(leg.coupling);
   if (leg.mode == wire::ArmMode::queue)
     throw InputError("mode", name(leg.mode),
-                     "must play tables: use RowSender or StaticQueue for a queue");
+                     "must play tables: use stream_rows() or StaticQueue for a queue");
   std::optional<TableInUnits> master;
   if (leg.master < plan.tables.size()) master.emplace(in_units(plan.tables[leg.master]));
   const Refused refused =

@@ -4,7 +4,7 @@
 
 #include "jounce/base/units.hpp"
 #include "jounce/design/make.hpp"
-#include "jounce/spec/edit.hpp"
+#include "jounce/spec/detail/edit.hpp"
 
 #include "study/src/optimum/optimum.hpp"
 #include "study/src/optimum/shape_text.hpp"

@@ -4,10 +4,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "jounce/design/cam_check.hpp"
+#include "jounce/design/detail/cam_check.hpp"
+#include "jounce/design/detail/path_text.hpp"
+#include "jounce/design/detail/peaks.hpp"
 #include "jounce/design/make.hpp"
-#include "jounce/design/path_text.hpp"
-#include "jounce/design/peaks.hpp"
 #include "jounce/report/report_text.hpp"
 #include "jounce/study/optimum.hpp"
 

@@ -6,9 +6,9 @@
 #include "jounce/base/units.hpp"
 #include "jounce/design/make.hpp"
 #include "jounce/optimize/optimize.hpp"
-#include "jounce/profiles/six_digits.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/report/report_text.hpp"
-#include "jounce/spec/edit.hpp"
+#include "jounce/spec/detail/edit.hpp"
 
 #include "study/src/optimum/optimum.hpp"
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "jounce/profiles/six_digits.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/report/report_text.hpp"
 #include "jounce/study/tune.hpp"
 

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "jounce/design/limit_advice.hpp"
-#include "jounce/profiles/six_digits.hpp"
+#include "jounce/design/detail/limit_advice.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 
 namespace jounce::study_detail {
 namespace {

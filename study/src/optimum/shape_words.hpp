@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "jounce/base/listed.hpp"
+#include "jounce/base/detail/listed.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/design/make.hpp"
 #include "jounce/report/report_text.hpp"

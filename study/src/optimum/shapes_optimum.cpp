@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Segments of a cam that are free in shape.
 #include "jounce/design/make.hpp"
-#include "jounce/spec/edit.hpp"
+#include "jounce/spec/detail/edit.hpp"
 
 #include "study/src/optimum/optimum.hpp"
 #include "study/src/optimum/shape_text.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/study/sample_design.hpp"
+#include "jounce/study/detail/sample_design.hpp"
 
 #include <algorithm>
 #include <cassert>

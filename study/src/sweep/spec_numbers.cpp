@@ -9,7 +9,7 @@
 #include <tuple>
 #include <utility>
 
-#include "jounce/base/nearest.hpp"
+#include "jounce/base/detail/nearest.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/spec/detail/text_edit.hpp"

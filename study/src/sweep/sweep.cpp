@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/study/sweep.hpp"
+#include "jounce/study/detail/sweep.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -12,8 +12,8 @@
 #include <thread>
 #include <utility>
 
+#include "jounce/base/detail/printable.hpp"
 #include "jounce/base/hash.hpp"
-#include "jounce/base/printable.hpp"
 #include "jounce/study/tune.hpp"
 
 #include "study/src/sweep/journal.hpp"

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/study/sweep_files.hpp"
+#include "jounce/study/detail/sweep_files.hpp"
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
+#include "jounce/base/detail/printable.hpp"
 #include "jounce/base/file.hpp"
 #include "jounce/base/hash.hpp"
-#include "jounce/base/printable.hpp"
-#include "jounce/io/npy.hpp"
+#include "jounce/io/detail/npy.hpp"
 #include "jounce/io/table_file.hpp"
 
 namespace jounce {

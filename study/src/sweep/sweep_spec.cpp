@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/study/sweep_spec.hpp"
+#include "jounce/study/detail/sweep_spec.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <utility>
 
+#include "jounce/base/detail/printable.hpp"
 #include "jounce/base/file.hpp"
-#include "jounce/base/printable.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/io/table_file.hpp"
 #include "jounce/spec/detail/share.hpp"

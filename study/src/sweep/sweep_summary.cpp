@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/study/sweep_summary.hpp"
+#include "jounce/study/detail/sweep_summary.hpp"
 
 #include <algorithm>
 #include <cassert>

@@ -5,11 +5,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "jounce/base/listed.hpp"
+#include "jounce/base/detail/listed.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
-#include "jounce/profiles/six_digits.hpp"
 #include "jounce/report/report_text.hpp"
-#include "jounce/study/sweep_summary.hpp"
+#include "jounce/study/detail/sweep_summary.hpp"
 
 namespace jounce {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "jounce/optimize/cam_shape.hpp"
-#include "jounce/spec/drive_figures.hpp"
+#include "jounce/spec/detail/drive_figures.hpp"
 #include "jounce/validate/drive.hpp"
 
 namespace jounce {

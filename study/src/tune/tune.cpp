@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "jounce/base/units.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
 #include "jounce/report/report_text.hpp"
 #include "jounce/study/spec_numbers.hpp"
 

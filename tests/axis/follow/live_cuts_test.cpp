@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A plan of cuts on an axis: its log, judged by the positions of the cuts on the web, the speed of the
 // web in the sync zones, and the limits of the axis.
-#include "jounce/axis/live_cuts.hpp"
+#include "jounce/axis/detail/live_cuts.hpp"
 
 #include <algorithm>
 #include <cmath>

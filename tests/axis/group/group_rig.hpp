@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "jounce/axis/group_path.hpp"
+#include "jounce/axis/detail/group_path.hpp"
 #include "jounce/axis/machine.hpp"
 #include "jounce/path/arc.hpp"
 #include "jounce/path/plan.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Commands of a group as a program, and the time up to which two plans agree.
-#include "jounce/axis/plan_agreement.hpp"
+#include "jounce/axis/detail/plan_agreement.hpp"
 
 #include <array>
 #include <cmath>
@@ -13,7 +13,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "jounce/axis/path_commands.hpp"
+#include "jounce/axis/detail/path_commands.hpp"
 
 #include "axis/group/group_rig.hpp"
 #include "support/errors.hpp"

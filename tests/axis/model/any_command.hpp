@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "jounce/axis/command.hpp"
-#include "jounce/command/command_table.hpp"
+#include "jounce/command/detail/command_table.hpp"
 
 namespace jounce::test {
 

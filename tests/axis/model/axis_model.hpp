@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "jounce/axis/axis.hpp"
-#include "jounce/axis/path_clock.hpp"
+#include "jounce/axis/detail/path_clock.hpp"
 
 #include "axis/model/any_command.hpp"
 #include "axis/model/model_movements.hpp"

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "jounce/axis/axis.hpp"
-#include "jounce/axis/path_clock.hpp"
+#include "jounce/axis/detail/path_clock.hpp"
 
 #include "axis/model/model_movements.hpp"
 #include "axis/tables.hpp"

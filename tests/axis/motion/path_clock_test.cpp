@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/axis/path_clock.hpp"
+#include "jounce/axis/detail/path_clock.hpp"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/cam/laws/law_names.hpp"
+#include "jounce/cam/detail/law_names.hpp"
 
 #include <cctype>
 #include <map>

@@ -8,7 +8,7 @@
 
 #include <gmock/gmock.h>
 
-#include "jounce/base/printable.hpp"
+#include "jounce/base/detail/printable.hpp"
 
 #include "program.hpp"
 

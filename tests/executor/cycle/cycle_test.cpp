@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/executor/cycle.hpp"
+#include "jounce/executor/detail/cycle.hpp"
 
 #include <thread>
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "jounce/executor/cycle.hpp"
+#include "jounce/executor/detail/cycle.hpp"
 
 #include "axis/tables.hpp"
 #include "executor/rig.hpp"

@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "jounce/executor/masters.hpp"
+#include "jounce/executor/detail/masters.hpp"
 
 #include "stream/src/transport/memory_transport.hpp"
 

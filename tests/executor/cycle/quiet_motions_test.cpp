@@ -10,15 +10,15 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "jounce/axis/detail/live_cuts.hpp"
 #include "jounce/axis/fifo_movement.hpp"
 #include "jounce/axis/live_cam.hpp"
 #include "jounce/axis/live_clutch.hpp"
-#include "jounce/axis/live_cuts.hpp"
 #include "jounce/axis/live_gear.hpp"
 #include "jounce/drive/shared_drive.hpp"
 #include "jounce/drive/simulated_drive.hpp"
-#include "jounce/executor/cycle.hpp"
-#include "jounce/executor/recorder.hpp"
+#include "jounce/executor/detail/cycle.hpp"
+#include "jounce/executor/detail/recorder.hpp"
 
 #include "axis/tables.hpp"
 #include "executor/cycle/virtual_pacer.hpp"

@@ -10,8 +10,8 @@
 #include "jounce/axis/live_gear.hpp"
 #include "jounce/axis/master.hpp"
 #include "jounce/drive/encoder.hpp"
-#include "jounce/executor/cycle.hpp"
-#include "jounce/executor/recorder.hpp"
+#include "jounce/executor/detail/cycle.hpp"
+#include "jounce/executor/detail/recorder.hpp"
 
 #include "axis/tables.hpp"
 #include "executor/cycle/virtual_pacer.hpp"

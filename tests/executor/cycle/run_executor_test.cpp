@@ -10,7 +10,9 @@
 #include <gtest/gtest.h>
 
 #include "jounce/profiles/error.hpp"
-#include "jounce/stream/sender/sender.hpp"
+#include "jounce/stream/detail/sender.hpp"
+#include "jounce/stream/message/wire.hpp"
+#include "jounce/stream/transport/link.hpp"
 
 #include "axis/tables.hpp"
 #include "stream/src/transport/memory_transport.hpp"

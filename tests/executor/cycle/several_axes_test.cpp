@@ -6,8 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "jounce/stream/detail/sender.hpp"
 #include "jounce/stream/sender/driver.hpp"
-#include "jounce/stream/sender/sender.hpp"
 
 #include "axis/tables.hpp"
 #include "executor/site.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "jounce/executor/cycle.hpp"
+#include "jounce/executor/detail/cycle.hpp"
 
 namespace jounce::test {
 

@@ -13,7 +13,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "jounce/executor/group_plan.hpp"
+#include "jounce/executor/detail/group_plan.hpp"
 
 #include "executor/group/judged_plotter.hpp"
 

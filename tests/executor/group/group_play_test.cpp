@@ -6,9 +6,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "jounce/axis/group_path.hpp"
-#include "jounce/executor/cycle.hpp"
-#include "jounce/executor/recorder.hpp"
+#include "jounce/axis/detail/group_path.hpp"
+#include "jounce/executor/detail/cycle.hpp"
+#include "jounce/executor/detail/recorder.hpp"
 #include "jounce/stream/sender/client.hpp"
 
 #include "axis/group/group_rig.hpp"

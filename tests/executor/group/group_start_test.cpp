@@ -17,8 +17,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "jounce/stream/detail/group.hpp"
 #include "jounce/stream/sender/driver.hpp"
-#include "jounce/stream/sender/group.hpp"
 
 #include "axis/tables.hpp"
 #include "executor/site.hpp"

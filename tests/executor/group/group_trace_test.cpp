@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "jounce/executor/trace.hpp"
+#include "jounce/executor/detail/trace.hpp"
 
 #include "executor/group/plotter_site.hpp"
 

@@ -13,7 +13,7 @@
 
 #include <gtest/gtest.h>
 
-#include "jounce/executor/group_plan.hpp"
+#include "jounce/executor/detail/group_plan.hpp"
 #include "jounce/path/axis_map.hpp"
 
 #include "executor/group/sent_plotter.hpp"

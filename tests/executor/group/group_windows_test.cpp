@@ -12,7 +12,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "jounce/executor/group_plan.hpp"
+#include "jounce/executor/detail/group_plan.hpp"
 #include "jounce/path/arc.hpp"
 #include "jounce/stream/sender/operate.hpp"
 

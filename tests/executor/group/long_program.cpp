@@ -22,7 +22,7 @@
 
 #include <sys/resource.h>
 
-#include "jounce/executor/group_plan.hpp"
+#include "jounce/executor/detail/group_plan.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "executor/group/plotter_site.hpp"

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "jounce/executor/sent_program.hpp"
+#include "jounce/executor/detail/sent_program.hpp"
 #include "jounce/path/program_numbers.hpp"
 #include "jounce/stream/sender/client.hpp"
 

@@ -13,8 +13,10 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "jounce/executor/cycle.hpp"
-#include "jounce/executor/replay.hpp"
+#include "jounce/executor/detail/cycle.hpp"
+#include "jounce/executor/detail/dispatcher.hpp"
+#include "jounce/executor/detail/recorder.hpp"
+#include "jounce/executor/detail/replay.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "axis/tables.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/executor/record.hpp"
+#include "jounce/executor/detail/record.hpp"
 
 #include <cmath>
 #include <cstring>
@@ -14,8 +14,8 @@
 #include <gtest/gtest.h>
 #include <lcm/lcm-cpp.hpp>
 
-#include "jounce/executor/recorder.hpp"
-#include "jounce/executor/replay.hpp"
+#include "jounce/executor/detail/recorder.hpp"
+#include "jounce/executor/detail/replay.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "axis/tables.hpp"

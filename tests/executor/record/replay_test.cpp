@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A machine that gets random orders of all kinds over its link: its record is replayed to the last
 // bit.
-#include "jounce/executor/replay.hpp"
+#include "jounce/executor/detail/replay.hpp"
 
 #include <map>
 #include <memory>

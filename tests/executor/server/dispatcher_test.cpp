@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/executor/dispatcher.hpp"
+#include "jounce/executor/detail/dispatcher.hpp"
 
 #include <charconv>
 #include <filesystem>
@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "jounce/stream/detail/sender.hpp"
 #include "jounce/stream/sender/client.hpp"
 
 #include "axis/tables.hpp"

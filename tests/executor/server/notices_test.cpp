@@ -4,9 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "jounce/command/causes.hpp"
-#include "jounce/command/command_table.hpp"
-#include "jounce/command/refusal_text.hpp"
+#include "jounce/command/detail/causes.hpp"
+#include "jounce/command/detail/command_table.hpp"
+#include "jounce/command/detail/refusal_text.hpp"
 #include "jounce/path/point.hpp"
 #include "jounce/stream/message/message.hpp"
 

@@ -10,7 +10,7 @@
 
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/sender/client.hpp"
-#include "jounce/stream/sender/group.hpp"
+#include "jounce/stream/sender/stream_group.hpp"
 
 #include "axis/tables.hpp"
 #include "executor/site.hpp"

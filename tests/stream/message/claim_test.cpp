@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/stream/message/claim.hpp"
+#include "jounce/stream/detail/claim.hpp"
 
 #include <deque>
 #include <map>

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "jounce/command/command_table.hpp"
+#include "jounce/command/detail/command_table.hpp"
 #include "jounce/stream/message/message.hpp"
 
 namespace jounce::test {

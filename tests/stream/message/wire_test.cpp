@@ -15,7 +15,7 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
-#include "jounce/base/printable.hpp"
+#include "jounce/base/detail/printable.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "jounce_lcm/ack_t.hpp"
@@ -29,6 +29,7 @@
 #include "jounce_lcm/heartbeat_t.hpp"
 #include "jounce_lcm/master_status_t.hpp"
 #include "jounce_lcm/master_t.hpp"
+#include "jounce_lcm/path_command_t.hpp"
 #include "jounce_lcm/queue_ack_t.hpp"
 #include "jounce_lcm/queue_t.hpp"
 #include "jounce_lcm/reply_t.hpp"

@@ -5,6 +5,9 @@
 
 #include "stream/harness.hpp"
 
+#include "jounce/stream/detail/receiver.hpp"
+#include "jounce/stream/detail/sender.hpp"
+
 namespace jounce::late_hash_test {
 namespace {
 

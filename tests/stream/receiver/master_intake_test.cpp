@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/stream/receiver/master_intake.hpp"
+#include "jounce/stream/detail/master_intake.hpp"
 
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "jounce/stream/detail/receiver_pump.hpp"
+#include "jounce/stream/receiver/receiver_options.hpp"
 #include "jounce/stream/sender/driver.hpp"
 
 #include "stream/src/transport/lossy_transport.hpp"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "jounce/stream/receiver/receiver.hpp"
+#include "jounce/stream/detail/receiver.hpp"
 
 #include "stream/harness.hpp"
 #include "support/random.hpp"

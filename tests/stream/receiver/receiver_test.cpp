@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/stream/receiver/receiver.hpp"
+#include "jounce/stream/detail/receiver.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

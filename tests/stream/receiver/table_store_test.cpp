@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/stream/receiver/table_store.hpp"
+#include "jounce/stream/detail/table_store.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "jounce/profiles/error.hpp"
+#include "jounce/stream/detail/sender.hpp"
+#include "jounce/stream/receiver/receiver_options.hpp"
 
 #include "stream/harness.hpp"
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "jounce/stream/detail/sender.hpp"
 #include "jounce/stream/sender/driver.hpp"
 
 #include <gmock/gmock.h>

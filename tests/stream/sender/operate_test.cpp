@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "jounce/stream/receiver/receiver_options.hpp"
 #include "jounce/stream/sender/banks.hpp"
 
 #include "stream/sender/rows.hpp"

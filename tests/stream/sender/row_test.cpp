@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "jounce/profiles/error.hpp"
-#include "jounce/stream/sender/row_sender.hpp"
+#include "jounce/stream/detail/receiver.hpp"
+#include "jounce/stream/detail/row_sender.hpp"
+#include "jounce/stream/detail/sender.hpp"
 
 #include "stream/harness.hpp"
 #include "stream/sender/rows.hpp"

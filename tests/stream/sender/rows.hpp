@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "jounce/stream/sender/row_sender.hpp"
+#include "jounce/stream/detail/row_sender.hpp"
 
 #include "stream/harness.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/stream/sender/sender.hpp"
+#include "jounce/stream/detail/sender.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "jounce/stream/detail/sender.hpp"
 #include "jounce/stream/message/wire.hpp"
 
 #include "stream/harness.hpp"

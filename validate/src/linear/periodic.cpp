@@ -18,8 +18,8 @@
 #include <cmath>
 #include <utility>
 
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
 #include "jounce/validate/linear_drive.hpp"
 #include "jounce/validate/loop.hpp"
 

@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
 
 #include "validate/src/loop/open_loop.hpp"
 

@@ -30,8 +30,7 @@ namespace jounce {
 ///
 /// **Motion.** The axis plays either a movement, or a move that it plans itself from its last
 /// setpoint. A movement is a path (whose time the axis can slow down) or a coupling to a live
-/// master. A superimposed move is added to either. Rules: command_table.hpp and
-/// docs/executor/axis.md.
+/// master. A superimposed move is added to either. Rules: docs/executor/axis.md.
 ///
 /// **Slots.** The axis holds two movements, one that it plays and one that is armed. It owns
 /// neither. When it reads a movement for the last time, it returns the movement in

@@ -173,7 +173,7 @@ struct Refusal {
 
   /// Returns a sentence: "velocity_limit: The motion exceeds the velocity limit of the axis: 678.45
   /// at 0.61 s, limit 500." The time is omitted if it is NaN, and the numbers if no bound was
-  /// exceeded. text() in refusal_text.hpp adds units.
+  /// exceeded.
   [[nodiscard]] std::string text() const;
 };
 

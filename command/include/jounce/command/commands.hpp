@@ -18,7 +18,7 @@
 
 /// The commands of an axis and of a group, modeled on the function blocks of PLCopen. Each command
 /// is one struct: the client that sends the command and the axis that executes it use the same
-/// struct. command_table.hpp describes the commands. u is the unit of the axis, m the unit of its
+/// struct. docs/executor/orders.md describes the commands. u is the unit of the axis, m the unit of its
 /// master.
 namespace jounce {
 

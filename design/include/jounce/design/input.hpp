@@ -15,7 +15,7 @@
 
 namespace jounce {
 
-/// The comparison of a finished table with its spec (set_against() in jounce/design/against.hpp).
+/// The comparison of a finished table with its spec (set_against() in design/src/input/against_spec.hpp).
 struct AgainstSpec {
   std::string spec = {};   ///< path of the spec
   SampleError error = {};  ///< deviation of the table from the curve of the spec

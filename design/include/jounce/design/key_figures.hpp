@@ -34,7 +34,7 @@ struct KeyFigure {
 /// - for a cam: "peak geo_velocity", ... and "rms geo_velocity", ... (over the master);
 /// - "master velocity", "cycle time" of a periodic cam, "fastest master" at which the slave is
 ///   within [limits.slave];
-/// - figures of the generator (sync_figures() in sync_check.hpp): "longest cut", "fastest line",
+/// - figures of the generator: "longest cut", "fastest line",
 ///   "in step", ...;
 /// - "predicted residual" of the first mode for which the spec has an operator, "predicted residual
 ///   2", ...;

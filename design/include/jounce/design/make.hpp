@@ -80,7 +80,7 @@ InputError nothing_free(const Spec& spec);
 CamProblem make_problem(const Spec& spec);
 
 /// Returns the problem of a spec with free shapes (spec.optimize.shape). Throws InputError for a
-/// figure of a drive (jounce/spec/drive_figures.hpp), which needs the drive, unless
+/// figure of a drive, which needs the drive, unless
 /// `against_a_drive` is true: then the caller adds the drive.
 CamShapeProblem make_shape_problem(const Spec& spec, bool against_a_drive = false);
 

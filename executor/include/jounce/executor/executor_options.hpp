@@ -10,12 +10,14 @@
 #include <string>
 #include <vector>
 
-#include "jounce/axis/group_program.hpp"
 #include "jounce/axis/machine.hpp"
-#include "jounce/executor/cycle.hpp"
-#include "jounce/executor/sent_program.hpp"
+#include "jounce/drive/drive.hpp"
+#include "jounce/executor/program_options.hpp"
 #include "jounce/gear/cut_plan.hpp"
-#include "jounce/stream/receiver/receiver.hpp"
+#include "jounce/path/axis_map.hpp"
+#include "jounce/path/group_limits.hpp"
+#include "jounce/stream/receiver/receiver_options.hpp"
+#include "jounce/stream/receiver/stored_table.hpp"
 
 namespace jounce {
 

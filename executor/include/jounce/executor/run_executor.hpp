@@ -9,9 +9,14 @@
 #include <string>
 #include <vector>
 
-#include "jounce/executor/dispatcher.hpp"
+#include "jounce/command/cause.hpp"
+#include "jounce/executor/cycle_counts.hpp"
+#include "jounce/executor/executor_options.hpp"
+#include "jounce/executor/histogram.hpp"
+#include "jounce/executor/machine_master.hpp"
 #include "jounce/executor/realtime.hpp"
-#include "jounce/executor/recorder.hpp"
+#include "jounce/executor/recorder_options.hpp"
+#include "jounce/stream/transport/transport.hpp"
 
 namespace jounce {
 

@@ -8,7 +8,7 @@
 
 #include "jounce/base/file.hpp"
 #include "jounce/report/comparison.hpp"
-#include "jounce/report/diagnostic.hpp"
+#include "jounce/report/detail/diagnostic.hpp"
 #include "jounce/spec/key_changes.hpp"
 
 namespace jounce {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "jounce/design/input.hpp"
-#include "jounce/report/diagnostic.hpp"
+#include "jounce/report/detail/diagnostic.hpp"
 #include "jounce/spec/machine_spec.hpp"
 
 namespace jounce {
@@ -28,7 +28,7 @@ struct ExamineMachine {
 ///
 ///     const FileResult result = lint_file("cam.toml", [](std::vector<Input>& axes) {
 ///       std::vector<Report> reports;
-///       for (const Input& axis : axes) reports.push_back(checked(axis));
+///       for (const Input& axis : axes) reports.push_back(check_all(axis));
 ///       return reports;
 ///     });
 ///

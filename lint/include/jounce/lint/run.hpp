@@ -7,7 +7,7 @@
 
 #include "jounce/lint/accepted.hpp"
 #include "jounce/lint/lint.hpp"
-#include "jounce/report/ci_formats.hpp"
+#include "jounce/report/detail/ci_formats.hpp"
 
 namespace jounce {
 

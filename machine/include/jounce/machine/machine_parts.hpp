@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "jounce/executor/executor_options.hpp"
-#include "jounce/executor/masters.hpp"
-#include "jounce/executor/recorder.hpp"
+#include "jounce/executor/machine_master.hpp"
+#include "jounce/executor/recorder_options.hpp"
 #include "jounce/spec/machine_spec.hpp"
 #include "jounce/spec/spec.hpp"
 

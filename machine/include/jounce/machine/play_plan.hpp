@@ -8,7 +8,7 @@
 
 #include "jounce/design/input.hpp"
 #include "jounce/stream/sender/banks.hpp"
-#include "jounce/stream/sender/row_sender.hpp"
+#include "jounce/stream/sender/row_plan.hpp"
 #include "jounce/stream/sender/stream_plan.hpp"
 
 /// Plans for a streamer, made from the inputs of a design. A plan sends whole tables, the rows of

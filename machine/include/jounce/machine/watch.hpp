@@ -10,7 +10,7 @@
 
 #include "jounce/stream/message/message.hpp"
 #include "jounce/stream/security/key.hpp"
-#include "jounce/stream/sender/sender.hpp"
+#include "jounce/stream/sender/stream_outcome.hpp"
 #include "jounce/stream/transport/keyed_link.hpp"
 #include "jounce/stream/transport/link.hpp"
 #include "jounce/stream/transport/transport.hpp"
@@ -120,7 +120,7 @@ class Watch {
 /// one of them is missing: "messages arrive from x, y; check the name". If no message arrives,
 /// returns "check that it is running, ...".
 std::string senders_hint(KeyedLink& link);
-/// Returns error_text() of outcome_text.hpp; if there was no answer, with senders_hint().
+/// Returns the sentence of a failed call; if there was no answer, with senders_hint().
 std::string error_text(const CallOutcome& outcome, const std::string& executor, KeyedLink& link);
 /// Throws TransportError: no message arrives from this executor; with senders_hint().
 [[noreturn]] void throw_missing(KeyedLink& link, const std::string& executor);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "jounce/design/cut_map.hpp"
+#include "jounce/design/detail/cut_map.hpp"
 #include "jounce/plot/figure.hpp"
 
 namespace jounce {

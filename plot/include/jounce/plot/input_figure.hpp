@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "jounce/design/detail/law_guide.hpp"
 #include "jounce/design/input.hpp"
-#include "jounce/design/law_guide.hpp"
 #include "jounce/plot/figure.hpp"
 
 namespace jounce {

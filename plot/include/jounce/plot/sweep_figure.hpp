@@ -2,7 +2,7 @@
 #pragma once
 
 #include "jounce/plot/figure.hpp"
-#include "jounce/study/sweep_summary.hpp"
+#include "jounce/study/detail/sweep_summary.hpp"
 
 namespace jounce {
 

@@ -47,7 +47,7 @@ std::vector<SegmentGroup> groups(std::size_t segments, const Labels& labels,
 /// Greatest number of rows of a table in a text.
 constexpr std::size_t rows_for_people = 60;
 
-/// Returns a number as six_digits() does (jounce/profiles/six_digits.hpp).
+/// Returns a number as six_digits() does (jounce/profiles/detail/six_digits.hpp).
 std::string rounded(double value);
 /// Like rounded(), but 0 for a value that is only rounding beside `scale`, the magnitude of the
 /// quantity: 1.3e-10 mm of a travel of 50 mm.

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "jounce/executor/trace.hpp"
+#include "jounce/executor/detail/trace.hpp"
 #include "jounce/stream/security/key.hpp"
 #include "jounce/stream/transport/transport.hpp"
 #include "jounce/web/jogs.hpp"

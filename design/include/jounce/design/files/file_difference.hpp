@@ -12,8 +12,7 @@
 
 namespace jounce {
 
-/// The axes of two files in pairs (paired_axes() in jounce/design/version.hpp), and their
-/// comparisons.
+/// The axes of two files, paired by their names, and their comparisons.
 struct FileDifference {
   std::vector<std::pair<Input, Input>> axes = {};
   std::vector<Comparison> comparisons = {};  ///< one for each pair

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "jounce/base/listed.hpp"
+#include "jounce/base/detail/listed.hpp"
 #include "jounce/io/table_file.hpp"
 
 /// Parts that the formats of a table share.

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "jounce/stream/message/queue.hpp"
 #include "jounce/stream/sender/client.hpp"
-#include "jounce/stream/sender/row_window.hpp"
 
 namespace jounce {
+
+class RowWindow;
 
 /// A queue of two banks on an axis, like the static FIFOs of Googol. Each bank is filled, played as
 /// a whole for `loops` passes, and kept until it is cleared.
@@ -30,6 +30,9 @@ class StaticQueue {
  public:
   /// `client` must outlive the queue. Throws InputError for an inconsistent or a dynamic queue.
   StaticQueue(Client& client, wire::Queue queue);
+  ~StaticQueue();
+  StaticQueue(const StaticQueue&) = delete;
+  StaticQueue& operator=(const StaticQueue&) = delete;
 
   /// Opens the queue.
   CallOutcome open();
@@ -56,7 +59,7 @@ class StaticQueue {
 
   Client& client_;
   wire::Queue queue_;
-  std::array<RowWindow, 2> banks_;
+  std::vector<RowWindow> banks_;  // two
 };
 
 }  // namespace jounce

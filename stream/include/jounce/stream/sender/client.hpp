@@ -2,14 +2,18 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 
-#include "jounce/stream/sender/ask.hpp"
+#include "jounce/command/commands.hpp"
 #include "jounce/stream/sender/driver.hpp"
 #include "jounce/stream/sender/outcome.hpp"
+#include "jounce/stream/transport/link.hpp"
 
 namespace jounce {
+
+class CommandSlot;
 
 /// Options of a client.
 struct ClientOptions {
@@ -104,7 +108,7 @@ class Client {
   ClientOptions options_;
   Clock clock_;
   Rejects rejects_;
-  CommandSlot slot_;
+  std::unique_ptr<CommandSlot> slot_;
   std::int64_t session_ = 0;
   std::int64_t challenge_ = 0;
   std::int64_t boot_ = 0;
