@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <string>
 
+#include "jounce/command/refusal_text.hpp"
+#include "jounce/stream/message/message.hpp"
 #include "jounce/stream/transport/transport.hpp"
 
 namespace jounce::stream_detail {
@@ -16,6 +18,12 @@ inline constexpr const char* session_ended_reason =
 /// The reason of a reply to a session that has ended; an executor may give none.
 inline std::string session_ended_by(const std::string& reason) {
   return reason.empty() ? session_ended_reason : reason;
+}
+
+/// Commanded position: "39.7 mm"
+inline std::string place_of(const wire::Status& status) {
+  const std::string& unit = status.units.position;
+  return place_text(status.slave_position) + (unit.empty() ? "" : " " + unit);
 }
 
 /// "5000 ms"
