@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "jounce/command/cause.hpp"
 #include "jounce/command/refusal_text.hpp"
 #include "jounce/stream/message/message.hpp"
 #include "jounce/stream/transport/transport.hpp"
@@ -34,15 +35,13 @@ inline std::string milliseconds(Nanos time) {
 
 /// The time limit of the whole call was reached.
 inline std::string time_over_reason(Nanos total) {
-  return "the stream did not reach its goal within " + milliseconds(total) +
-         ": permit more time (--patience)";
+  return "the stream did not reach its goal within " + milliseconds(total);
 }
 
 /// The axis came to rest too early, for a cause of the axis. `before`: "the swap".
 inline std::string at_rest_reason(const std::string& before, std::int32_t cause) {
-  const std::string number = std::to_string(cause);
-  return "the axis came to rest before " + before + ": cause " + number + " (jounce explain " +
-         number + ")";
+  const auto why = static_cast<Cause>(cause);
+  return "the axis came to rest before " + before + ": " + name(why) + ": " + meaning(why);
 }
 
 }  // namespace jounce::stream_detail
