@@ -533,8 +533,8 @@ std::optional<command::MoveLinearAbsolute> line_to_target(const ClientCommand& c
 
 }  // namespace
 
-/// The reason to reject the first waiting command, whatever the place is at which the group rests for
-/// it: then the present motion continues. "": none, or only the place of rest decides.
+/// The reason to reject the first waiting command from any place of rest: the present motion then
+/// continues. "": none, or the place of rest decides.
 std::string GroupQueue::invalid_target() const {
   if (group_->kinematics) return "";
   const Point place = coordinates_of(places_(), *group_);
