@@ -362,8 +362,8 @@ std::optional<GroupQueue::Step> GroupQueue::begin(const Tick& group) {
       throw InputError("fast", "", "begins and ends at rest: leave out --blend");
     const bool ends_motion = !halting_ && !(rests(group) && stages_.empty());
     if (aborts(command) && ends_motion)
-      if (const std::string reason = invalid_target(); !reason.empty())
-        return finish(Cause::no_value, reason);
+      if (const auto [cause, reason] = invalid_target(); cause != Cause::none)
+        return finish(cause, reason);
     if (aborts(command))
       if (const std::size_t dropped = drop_stages(); dropped > 0)
         dropped_because_ =
@@ -534,19 +534,21 @@ std::optional<command::MoveLinearAbsolute> line_to_target(const ClientCommand& c
 }  // namespace
 
 /// The reason to reject the first waiting command from any place of rest: the present motion then
-/// continues. "": none, or the place of rest decides.
-std::string GroupQueue::invalid_target() const {
-  if (group_->kinematics) return "";
+/// continues. Cause::none: no reason, or the place of rest decides.
+std::pair<Cause, std::string> GroupQueue::invalid_target() const {
+  if (group_->kinematics) return {};
   const Point place = coordinates_of(places_(), *group_);
   const auto line = line_to_target(waiting_.front().command, group_->coordinates().size(), frame_);
-  if (!line) return "";
+  if (!line) return {};
   try {
     PathCommands commands = commands_from(place);
     commands.set_frame(frame_);
     commands.append(*line);
-    return planned({.commands = std::move(commands)}, *group_, std::atomic<bool>(false)).reason;
+    std::string reason =
+        planned({.commands = std::move(commands)}, *group_, std::atomic<bool>(false)).reason;
+    return {reason.empty() ? Cause::none : Cause::bad_table, std::move(reason)};
   } catch (const InputError& error) {
-    return reason_of(error, *group_);
+    return {Cause::no_value, reason_of(error, *group_)};
   }
 }
 
