@@ -406,6 +406,12 @@ constexpr const char* inside_or_wider =
 constexpr const char* longer_clutch = "Give a longer --clutch, or slow the master down.";
 constexpr const char* longer_start = "Give a longer --start-distance, or slow the master down.";
 constexpr const char* smaller_ratio = "Give a smaller ratio, or slow the master down.";
+constexpr const char* smaller_shift =
+    "The axis follows its master and shifts at the same time, so the limit applies to the sum. "
+    "Leave out "
+    "--velocity, --acceleration and --jerk: the shift then uses what the limits leave. Or give "
+    "lower "
+    "values, in the unit of the master.";
 constexpr const char* engage_first =
     "First engage the axis with its master: `jounce order NAME gear-in 1:1`, or `jounce "
     "stream --live`.";
@@ -435,6 +441,12 @@ constexpr std::array order_remedies{
     OrderRemedy{Cause::acceleration_limit, CommandKind::gear_in_pos, longer_start},
     OrderRemedy{Cause::jerk_limit, CommandKind::gear_in, longer_clutch},
     OrderRemedy{Cause::jerk_limit, CommandKind::gear_in_pos, longer_start},
+    OrderRemedy{Cause::velocity_limit, CommandKind::phasing_absolute, smaller_shift},
+    OrderRemedy{Cause::velocity_limit, CommandKind::phasing_relative, smaller_shift},
+    OrderRemedy{Cause::acceleration_limit, CommandKind::phasing_absolute, smaller_shift},
+    OrderRemedy{Cause::acceleration_limit, CommandKind::phasing_relative, smaller_shift},
+    OrderRemedy{Cause::jerk_limit, CommandKind::phasing_absolute, smaller_shift},
+    OrderRemedy{Cause::jerk_limit, CommandKind::phasing_relative, smaller_shift},
     OrderRemedy{Cause::in_motion, CommandKind::move_repetitive,
                 "End the present motion first: `jounce order NAME halt` ends a move, `jounce order "
                 "NAME finish` ends a repetitive move or a table that repeats."},

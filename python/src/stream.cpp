@@ -3,6 +3,7 @@
 #include <mutex>
 #include <optional>
 #include <string_view>
+#include <thread>
 
 #include <pybind11/stl.h>
 
@@ -90,23 +91,36 @@ class AxisClient {
     return std::get<wire::Status>(message->body);
   }
 
-  /// Waits in slices, between which Ctrl-C is detected.
+  /// Ctrl-C stops the axis. Between two messages, other threads may call the client.
   std::string wait_for_rest(double timeout) {
     using namespace std::chrono_literals;
-    const Nanos end = steady_now() + nanos(timeout);
-    while (steady_now() < end) {
-      const auto state = [&] {
-        const py::gil_scoped_release release;
-        const std::lock_guard lock(mutex_);
-        static_cast<void>(client_->beat(std::min<Nanos>(500ms, end - steady_now())));
-        return await_rest(*status_link_, axis_, std::min<Nanos>(100ms, end - steady_now()), key_);
-      }();
-      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-      if (state) return name(*state);
-    }
-    require_ok({StreamError::out_of_time, {}, 0, "not at rest within " + shown(timeout) + " s"},
-               axis_);
-    return {};
+    Watch watch{py::none()};
+    const RestOutcome outcome = [&] {
+      const py::gil_scoped_release release;
+      std::unique_lock lock(mutex_);
+      const auto interrupted = [&] {
+        lock.unlock();
+        std::this_thread::sleep_for(1ms);
+        const bool goes_on = watch(0, "");
+        lock.lock();
+        return !goes_on;
+      };
+      return await_rest(*status_link_, axis_, *client_,
+                        {.patience = nanos(timeout), .cancelled = interrupted, .key = key_});
+    }();
+    watch.rethrow();
+    require_ok(outcome, axis_);
+    return name(*outcome.state);
+  }
+
+  /// After an exception, the session is left to its timeout: the axis must not move on without its program.
+  void leave(bool failed) {
+    const py::gil_scoped_release release;
+    const std::lock_guard lock(mutex_);
+    if (failed)
+      client_->abandon();
+    else
+      static_cast<void>(client_->release());  // without an answer, the session ends by itself
   }
 
   void stream(const py::object& source, const std::optional<NamedTable>& master, bool live,
@@ -127,12 +141,16 @@ class AxisClient {
           now.chunks == 0 ? 0 : static_cast<double>(now.arrived) / static_cast<double>(now.chunks);
       return !watch(done, name(now.stage));
     };
-    const StreamOutcome outcome = [&] {
+    const CallOutcome outcome = [&]() -> CallOutcome {
       const py::gil_scoped_release release;
       const std::lock_guard lock(mutex_);
+      if (client_->session() != 0)
+        if (CallOutcome alive = client_->beat(); alive.error == StreamError::stopped) return alive;
       static_cast<void>(client_->release());  // the stream has a session of its own
       const auto link = open_transport(url_);
-      return stream_tables(*link, plan, options);
+      CallOutcome streamed = stream_tables(*link, plan, options);
+      if (streamed.ok()) client_->adopt_motion();
+      return streamed;
     }();
     watch.rethrow();
     require_ok(outcome, axis_);
@@ -189,7 +207,10 @@ void bind_status(py::module_& m) {
       .def_readonly("homed", &S::homed, "True if the axis was homed.")
       .def_readonly("held", &S::held, "True if a motion is held.")
       .def_readonly("finished", &S::finished, "Number of motions that reached their end.")
+      .def_readonly("stopped", &S::stopped, "Number of motions that a stop brought to rest.")
       .def_readonly("fault", &S::last_error, "Number of the cause of the fault; 0: none.")
+      .def_readonly("reason", &S::reason,
+                    "Number of the cause that ended the last motion early; 0: it reached its end.")
       .def_property_readonly(
           "unit", [](const S& s) { return s.units.position; }, "Unit of the axis; may be empty.")
       .def("__repr__", [](const S& s) {
@@ -333,6 +354,13 @@ void bind_stream(py::module_& m) {
 
 A call returns when the axis has accepted the command, and raises AxisError if the axis rejects it, or AxisTimeout if
 no answer arrives.
+
+The first call opens a session: the client owns the axis. Without a call for one second, the session ends, and a motion
+in progress is stopped: call wait_for_rest() while the axis moves. If an operator stops the axis, or the end of the
+session stops a motion, the next call has no effect and raises AxisError with `error` "stopped", once; the call after it
+opens a new session. The end of the `with` block releases the session, and a motion continues. If an exception ends the
+block, the session is not released: a motion in progress is stopped after one second.
+
 Every call releases the GIL. Several threads may use a client: one call at a time.)");
   c.def(
        py::init<std::string, std::string, const std::string&, double>(), "axis"_a, py::kw_only(),
@@ -344,11 +372,8 @@ needs no network. key: file with the key of the executor. patience: greatest dur
       .def_property_readonly("url", &AxisClient::url, "Address of the executor.")
       .def("__enter__", [](const py::object& self) { return self; })
       .def("__exit__",
-           [](AxisClient& self, const py::args&) {
-             self.call([](Client& k) {
-               static_cast<void>(k.release());  // without an answer, the session ends by itself
-               return CallOutcome{};
-             });
+           [](AxisClient& self, const py::args& exception) {
+             self.leave(!exception.empty() && !exception[0].is_none());
            })
       .def("status", &AxisClient::status, "timeout"_a = 2.0,
            "Waits for the next status of the axis, for at most `timeout` s.")
@@ -356,7 +381,9 @@ needs no network. key: file with the key of the executor. patience: greatest dur
           "wait_for_rest", &AxisClient::wait_for_rest, "timeout"_a = 60.0,
           R"(Waits until the axis is at rest, and returns its state: "standstill", "disabled" or "error_stop".
 
-Keeps the session alive. Raises AxisTimeout after `timeout` s. Ctrl-C raises KeyboardInterrupt; the motion continues.)")
+Raises AxisError with `error` "stopped" if the motion was cut short: by a stop of another program, a fault, or missing
+heartbeats. The text states why and where. Keeps the session alive. Raises AxisTimeout after `timeout` s, and AxisError
+("contact_lost") if no status arrives for two seconds. Ctrl-C stops the axis and raises KeyboardInterrupt.)")
       .def(
           "stream", &AxisClient::stream, "source"_a, py::kw_only(), "master"_a = py::none(),
           "live"_a = false, "wait"_a = true, "timeout"_a = 60.0, "progress"_a = py::none(),

@@ -68,7 +68,7 @@ refused 2 'must be more than 0% and at most 100%' plotter set-override --jerk-fa
 refused 2 'must be from 0% to 200%' plotter set-override --velocity-factor 300%
 refused 2 'must be greater than 0' plotter set-limits --velocity -5
 refused 2 'does not apply to set-limits' plotter set-limits --radius 5
-refused 1 'axis = 3: must be 1 (x) or 2 (y)' plotter set-limits --axis 3 --velocity 5
+refused 1 '--axis = 3: must be 1 (x) or 2 (y)' plotter set-limits --axis 3 --velocity 5
 refused 1 'applies along the path only' plotter set-limits --axis 1 --deceleration 5
 refused 1 not_a_group x set-limits --velocity 5
 refused 1 not_a_group x set-override --velocity-factor 50%

@@ -77,7 +77,7 @@ GROUP = {
     "set-coordinate-transform x=10kg": "x = 10kg",
     "set-coordinate-transform x=10 --rotation 10mm": "--rotation = 10mm",
     "set-limits --velocity=-1": "--velocity = -1 mm/s",
-    "set-limits --axis 9 --velocity 5": "axis = 9",
+    "set-limits --axis 9 --velocity 5": "--axis = 9",
     "set-override --velocity-factor 300%": "--velocity-factor = 300%",
     "set-override --acceleration-factor 0%": "--acceleration-factor = 0%",
     "set-override --jerk-factor 200%": "--jerk-factor = 200%",

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "jounce/drive/machine_sensors.hpp"
@@ -303,8 +304,10 @@ TEST(Homing, TheOrderChangesWhatIsConfigured) {
 
 // ---- what ends it otherwise --------------------------------------------------------------------------
 
-void expect_failed(Stage& stage, Cause cause) {
+/// `limit`: the timeout, s, or the distance that the search exceeded; NaN: none.
+void expect_failed(Stage& stage, Cause cause, double limit = NAN) {
   stage.finish();
+  EXPECT_THAT(stage.now.fault_value, testing::NanSensitiveDoubleEq(limit));
   EXPECT_EQ(stage.now.state, State::error_stop);
   EXPECT_EQ(stage.now.fault, cause) << name(stage.now.fault);
   EXPECT_FALSE(stage.now.homed);
@@ -324,19 +327,19 @@ TEST(Homing, FailsWhereTheSwitchIsNotBetweenTheLimitSwitches) {
 TEST(Homing, FailsAtItsDistanceAndItsTimeout) {
   Stage far(machine(cam), -50);
   far.home(23, {.distance = 30});
-  expect_failed(far, Cause::search_distance);
+  expect_failed(far, Cause::search_distance, 30);
   EXPECT_NEAR(far.at(), -20, 4);
 
   Stage no_index(machine(cam), 4);
   no_index.home(34, {.distance = 5});
-  expect_failed(no_index, Cause::index_not_found);
+  expect_failed(no_index, Cause::index_not_found, 5);
 
   Stage late(machine(cam), -50);
   late.home(23, {.timeout = 0.5});
   const double begun = late.now.time;
   while (late.now.state == State::homing) late.step();
   EXPECT_NEAR(late.now.time - begun, 0.5, 0.002);
-  expect_failed(late, Cause::home_timeout);
+  expect_failed(late, Cause::home_timeout, 0.5);
 }
 
 TEST(Homing, FailsOnALimitSwitchThatItDoesNotSearchFor) {

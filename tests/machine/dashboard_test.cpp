@@ -350,6 +350,11 @@ TEST(Dashboard, ShowsThePlaceOfAGroupOnItsPath) {
   EXPECT_THAT(all, HasSubstr("4.25 s (estimate), 3 commands, look-ahead 380 mm"));
 }
 
+TEST(Dashboard, ShowsNoLengthForAGroupWithoutAPath) {
+  const wire::GroupStatus rests{.axes = {"x"}, .place = {10}, .position = 50, .units = {"mm"}};
+  EXPECT_EQ(place_text(rests, "mm"), "x 10 mm; no path");
+}
+
 TEST(Dashboard, ShowsWhichPartOfTheListIsOnTheScreen) {
   std::vector<Watched> axes;
   for (const char* name : {"a", "b", "c", "d", "e", "f"}) take(axes, name, moving(), 1s);

@@ -31,6 +31,22 @@ TEST(OutcomeText, AddsTheRemedyOfTheAxis) {
   EXPECT_EQ(reason_text(busy, "feeder"), busy.reason) << "only an axis has causes";
 }
 
+// The library names no options: a program in C++ has none.
+TEST(OutcomeText, AddsTheOptionOfATimeLimit) {
+  const CallOutcome late{StreamError::out_of_time, {}, 0, "not at its goal within 5000 ms"};
+  EXPECT_EQ(error_text(late, "feeder"),
+            "out_of_time: not at its goal within 5000 ms. Permit more time (--patience)");
+}
+
+TEST(OutcomeText, ARejectedShiftOfThePhaseHasARemedy) {
+  CallOutcome fast = rejected();
+  fast.cause = static_cast<std::int32_t>(Cause::velocity_limit);
+  fast.reason =
+      "velocity_limit: The motion exceeds the velocity limit of the axis: 560, limit 500.";
+  for (const CommandKind kind : {CommandKind::phasing_absolute, CommandKind::phasing_relative})
+    EXPECT_THAT(reason_text(fast, "feeder", kind), HasSubstr("the limit applies to the sum"));
+}
+
 TEST(OutcomeText, ARemedyFitsTheReason) {
   CallOutcome faulty = rejected();
   faulty.reason =

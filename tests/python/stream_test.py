@@ -3,8 +3,11 @@
 import os
 import pathlib
 import pickle
+import signal
 import subprocess
 import tempfile
+import threading
+import time
 import unittest
 
 import jounce
@@ -65,6 +68,71 @@ class Stream(unittest.TestCase):
             with self.assertRaises(jounce.InputError):
                 axis.move_absolute(float("nan"))
             self.assertTrue(np.isfinite(axis.status().position))
+
+    def stop_as_operator(self) -> None:
+        subprocess.run([os.environ["JOUNCE"], "stop", "feeder", "--url", self.url], check=True, stdout=subprocess.DEVNULL)
+
+    def test_an_operators_stop_is_raised_once(self) -> None:
+        with jounce.Client("feeder", url=self.url, patience=10) as axis:
+            axis.enable()
+            axis.move_velocity(20)
+            self.stop_as_operator()
+            with self.assertRaises(jounce.AxisError) as caught:
+                axis.move_absolute(100)
+            self.assertEqual((caught.exception.error, caught.exception.cause), ("stopped", 80))
+            self.assertEqual(axis.status().state, "standstill")
+            axis.move_velocity(20)  # the program continues
+            self.stop_as_operator()
+            with self.assertRaises(jounce.AxisError) as caught:
+                axis.wait_for_rest(20)
+            self.assertIn("another operator stopped the axis; the axis rests at ", str(caught.exception))
+            self.assertEqual(axis.wait_for_rest(20), "standstill")  # reported already
+            self.assertEqual((axis.status().reason, axis.status().stopped), (80, 2))
+            axis.move_relative(5)
+            self.assertEqual(axis.wait_for_rest(20), "standstill")
+
+    def test_missing_heartbeats_are_raised(self) -> None:
+        with jounce.Client("feeder", url=self.url, patience=10) as axis:
+            axis.enable()
+            axis.move_velocity(20)
+            while axis.status().state != "standstill":  # a status is not a heartbeat
+                pass
+            with self.assertRaises(jounce.AxisError) as caught:
+                axis.wait_for_rest(20)
+            self.assertEqual(caught.exception.error, "stopped")
+            self.assertIn("no heartbeat of this program arrived in time", str(caught.exception))
+
+    def test_ctrl_c_stops_the_axis(self) -> None:
+        with jounce.Client("feeder", url=self.url, patience=10) as axis:
+            axis.enable()
+            axis.move_velocity(20)
+            timer = threading.Timer(0.5, lambda: os.kill(os.getpid(), signal.SIGINT))
+            timer.start()
+            with self.assertRaises(KeyboardInterrupt):
+                axis.wait_for_rest(20)
+            timer.join()
+            self.assertEqual(axis.status().state, "standstill")
+            self.assertEqual(axis.wait_for_rest(20), "standstill")  # its own stop
+
+    def test_an_exception_leaves_no_axis_in_motion(self) -> None:
+        with self.assertRaises(ZeroDivisionError):
+            with jounce.Client("feeder", url=self.url, patience=10) as axis:
+                axis.enable()
+                axis.move_velocity(20)
+                raise ZeroDivisionError
+        with jounce.Client("feeder", url=self.url, patience=10) as other:
+            while other.status().state != "standstill":
+                time.sleep(0.05)
+            self.assertEqual(other.status().reason, 80)
+
+    def test_a_wait_ends_without_an_executor(self) -> None:
+        with jounce.Client("feeder", url=self.url, patience=3) as axis:
+            axis.enable()
+            axis.move_velocity(20)
+            self.executor.kill()
+            with self.assertRaises(jounce.AxisError) as caught:
+                axis.wait_for_rest(500)
+            self.assertEqual(caught.exception.error, "contact_lost")
 
     def test_a_wait_ends_at_its_timeout(self) -> None:
         # The patience of the client is longer than the time limit of this test.

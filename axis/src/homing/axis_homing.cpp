@@ -84,7 +84,7 @@ Homing::Seen MotionAxis::Impl::seen() const {
 void MotionAxis::Impl::seek() {
   const double before = homing_->velocity();
   homing_->step(seen());
-  if (homing_->cause() != Cause::none) return fail(homing_->cause());
+  if (homing_->cause() != Cause::none) return fail(homing_->cause(), homing_->exceeded());
   if (homing_->done()) return find_home();
   const double velocity = homing_->velocity();
   if (velocity == before) return;

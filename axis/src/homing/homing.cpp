@@ -2,6 +2,7 @@
 #include "axis/src/homing/homing.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace jounce {
 namespace {
@@ -55,6 +56,18 @@ Cause Homing::check(const Seen& now) const noexcept {
   const Cause limit = limit_ahead(now.sensors, velocity_);
   if (phase_ != Phase::seek) return limit;
   return limit != Cause::none && turned_ ? Cause::home_not_found : Cause::none;
+}
+
+double Homing::exceeded() const noexcept {
+  switch (cause_) {
+    case Cause::home_timeout:
+      return spec_.timeout;
+    case Cause::search_distance:
+    case Cause::index_not_found:
+      return spec_.distance.value_or(std::numeric_limits<double>::quiet_NaN());
+    default:
+      return std::numeric_limits<double>::quiet_NaN();
+  }
 }
 
 /// The fault of the active limit switch in this direction, unless the search is for that switch.

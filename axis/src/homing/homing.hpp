@@ -60,6 +60,8 @@ class Homing {
   /// The fault that ended the search: home_timeout, home_not_found, search_distance,
   /// index_not_found, both_switches, positive_switch or negative_switch. none: no fault.
   [[nodiscard]] Cause cause() const noexcept { return cause_; }
+  /// The limit that the search exceeded: the timeout, s, or the distance, u; NaN: another fault.
+  [[nodiscard]] double exceeded() const noexcept;
 
  private:
   enum class Phase : std::uint8_t { seek, place, edge, index, last, done };

@@ -360,6 +360,10 @@ std::optional<GroupQueue::Step> GroupQueue::begin(const Tick& group) {
     }
     if (is_fast(command) && blends(command))
       throw InputError("fast", "", "begins and ends at rest: leave out --blend");
+    const bool ends_motion = !halting_ && !(rests(group) && stages_.empty());
+    if (aborts(command) && ends_motion)
+      if (const auto [cause, reason] = invalid_target(); cause != Cause::none)
+        return finish(cause, reason);
     if (aborts(command))
       if (const std::size_t dropped = drop_stages(); dropped > 0)
         dropped_because_ =
@@ -501,6 +505,51 @@ void GroupQueue::add_stage(const Tick& group, std::optional<Gate> gate) {
                      .group = group_,
                      .finished = rests_before ? std::nullopt : std::optional(group.finished),
                      .gate = gate});
+}
+
+namespace {
+
+/// A line to the target of an absolute command, if the target does not depend on the place where the
+/// command begins.
+std::optional<command::MoveLinearAbsolute> line_to_target(const ClientCommand& command,
+                                                          std::size_t axes, const Frame& frame) {
+  const auto line = [&](const auto& what) -> std::optional<command::MoveLinearAbsolute> {
+    if constexpr (requires {
+                    what.to;
+                    what.path;
+                  }) {
+      const auto end =
+          what.to.begin() + static_cast<std::ptrdiff_t>(std::min(axes, what.to.size()));
+      const auto missing =
+          std::count_if(what.to.begin(), end, [](double x) { return std::isnan(x); });
+      const bool none = missing == end - what.to.begin();
+      if (!what.relative && !none && (missing == 0 || frame.shifts()))
+        return command::MoveLinearAbsolute{.to = what.to};
+    }
+    return std::nullopt;
+  };
+  return std::visit(line, command);
+}
+
+}  // namespace
+
+/// The reason to reject the first waiting command from any place of rest: the present motion then
+/// continues. Cause::none: no reason, or the place of rest decides.
+std::pair<Cause, std::string> GroupQueue::invalid_target() const {
+  if (group_->kinematics) return {};
+  const Point place = coordinates_of(places_(), *group_);
+  const auto line = line_to_target(waiting_.front().command, group_->coordinates().size(), frame_);
+  if (!line) return {};
+  try {
+    PathCommands commands = commands_from(place);
+    commands.set_frame(frame_);
+    commands.append(*line);
+    std::string reason =
+        planned({.commands = std::move(commands)}, *group_, std::atomic<bool>(false)).reason;
+    return {reason.empty() ? Cause::none : Cause::bad_table, std::move(reason)};
+  } catch (const InputError& error) {
+    return {Cause::no_value, reason_of(error, *group_)};
+  }
 }
 
 /// A motion from rest. A wait alone moves nothing: it waits for the next command.

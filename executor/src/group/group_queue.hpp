@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -288,6 +289,7 @@ class GroupQueue {
   [[nodiscard]] bool continues(const Tick& group) const;
   [[nodiscard]] bool takes_over(const Tick& group) const;
   [[nodiscard]] std::optional<Step> joined(const Tick& group);
+  [[nodiscard]] std::pair<Cause, std::string> invalid_target() const;
   [[nodiscard]] std::optional<Step> fresh(const Tick& group);
   [[nodiscard]] std::optional<Step> begin_stage(const Tick& group);
   [[nodiscard]] std::optional<Step> pass_gate(const Tick& group);

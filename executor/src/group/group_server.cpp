@@ -251,16 +251,41 @@ std::string numbered(const std::vector<std::string>& names) {
 
 }  // namespace
 
+namespace {
+
+/// A remark on further limits of an axis that are above its own limits, which remain.
+std::string remaining_limits(const command::GroupSetLimits& what, const ExecutorGroup& group) {
+  if (what.axis < 1) return "";
+  const auto k = static_cast<std::size_t>(what.axis) - 1;
+  const Limits& own = group.configs[k].limits;
+  const std::string& unit = k < group.units.size() ? group.units[k] : group.unit;
+  std::string lower;
+  const auto compare = [&](const char* name, double given, const std::optional<double>& limit,
+                           const char* per) {
+    if (!limit || !(given > *limit)) return;
+    lower += (lower.empty() ? "" : ", ") + std::string(name) + " " + six_digits(*limit) +
+             (unit.empty() ? "" : " " + unit + per);
+  };
+  compare("velocity", what.dynamics.velocity, own.velocity, "/s");
+  compare("acceleration", what.dynamics.acceleration, own.acceleration, "/s^2");
+  compare("jerk", what.dynamics.jerk, own.jerk, "/s^3");
+  return lower.empty() ? "" : "the lower limits of " + group.names[k] + " remain: " + lower;
+}
+
+}  // namespace
+
 void GroupServer::set_limits(const command::GroupSetLimits& what, const Request& request,
                              bool continues) {
   try {
     dynamics_.set(what, continues);
     limit(what.axis != 0 && !what.queued);
     if (moving()) set_rate(present_rate());
-    answer(request, std::nullopt);
+    Request noted = request;
+    noted.note = remaining_limits(what, *options_.group);
+    answer(noted, std::nullopt);
   } catch (const InputError& error) {
     const InputError named(
-        error.key(), error.value(),
+        "--" + error.key(), error.value(),
         error.key() == "axis" ? "must be " + numbered(options_.group->names) : error.rule());
     receiver_.refuse(request.session, request.command, named.what(),
                      static_cast<std::int32_t>(Cause::no_value));

@@ -274,6 +274,7 @@ void MotionServer::handle(const SessionEnded& ended) {
   if (ended.session == held_session_ && ended.why != SessionEnded::Why::operator_stop) {
     clear_commands();
     release();
+    if (silent && moving()) receiver_.stopped_with(ended.session);
     return commands_.send({command::Release{}});
   }
   const bool stops = silent && its_motion && options_.stop_when_silent;
@@ -284,6 +285,7 @@ void MotionServer::handle(const SessionEnded& ended) {
   Command command{command::Disarm{}};
   if (stops) command.what = command::Stop{};
   if (stops) drop();  // also the commands after an M word
+  if (stops && moving()) receiver_.stopped_with(ended.session);
   if (commands_.last() != command.kind()) commands_.send(command);
 }
 

@@ -55,6 +55,13 @@ std::string numbers_of(const Tick& now, const std::string& unit, const AxisConfi
       return (later ? std::string(" The limit")
                     : " It was late by " + std::to_string(now.skipped) + " cycles;") +
              " longest_gap is " + std::to_string(config.longest_gap) + " cycles.";
+    case Cause::home_timeout:
+      return std::isfinite(now.fault_value)
+                 ? " The limit is timeout = " + six_digits(now.fault_value) + " s."
+                 : "";
+    case Cause::search_distance:
+    case Cause::index_not_found:
+      return std::isfinite(now.fault_value) ? limit("distance", now.fault_value) : "";
     case Cause::axis_fault:
       return now.failed_axis ? " " + unready_axis_text(*now.failed_axis, axes) : "";
     default:

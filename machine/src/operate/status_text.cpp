@@ -128,9 +128,9 @@ std::string place_text(const wire::GroupStatus& group, const std::string& unit) 
   for (std::size_t k = 0; k < group.axes.size() && k < group.place.size(); ++k)
     place += (place.empty() ? "" : " ") + group.axes[k] + " " +
              number_text(group.place[k], k < group.units.size() ? group.units[k] : "");
-  const std::string position = place + "; path " + number_text(group.position, unit);
-  if (std::isnan(group.length)) return position + ", no path";
-  return fmt::format("{} of {}, line {}", position, number_text(group.length, unit), group.line);
+  if (std::isnan(group.length)) return place + "; no path";
+  return fmt::format("{}; path {} of {}, line {}", place, number_text(group.position, unit),
+                     number_text(group.length, unit), group.line);
 }
 
 std::string remaining_text(const wire::GroupStatus& group, const std::string& unit) {

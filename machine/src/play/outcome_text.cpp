@@ -219,6 +219,8 @@ std::string error_text(const CallOutcome& outcome, const std::string& executor,
                        const std::string& hint) {
   const std::string reason = reason_and_remedy(outcome, executor, std::nullopt, outcome.fault);
   if (outcome.error == StreamError::no_answer) return reason + ": " + hint;
+  if (outcome.error == StreamError::out_of_time)
+    return fmt::format("{}: {}. Permit more time (--patience)", name(outcome.error), reason);
   const bool rejected = outcome.error == StreamError::refused;
   return fmt::format("{}: {}", rejected ? "rejected" : name(outcome.error), reason);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "jounce/stream/message/message.hpp"
@@ -11,6 +12,7 @@ namespace jounce {
 struct Refused {
   wire::Refusal refusal = wire::Refusal::none;  ///< none: accepted
   std::string reason;                           ///< may be empty
+  std::int32_t cause = 0;                       ///< number of a Cause; 0: none
 
   /// True if the message was rejected.
   explicit operator bool() const { return refusal != wire::Refusal::none; }

@@ -35,10 +35,10 @@ void LastCommand::replace(Kind kind, std::int32_t number) {
   what_.reset();
 }
 
-void LastCommand::settle(Refused refused, std::int32_t cause) {
+void LastCommand::settle(Refused refused) {
   reply_.outcome = refused ? wire::Outcome::refused : wire::Outcome::accepted;
   reply_.refusal = refused.refusal;
-  reply_.cause = cause;
+  reply_.cause = refused.cause;
   reply_.reason = std::move(refused.reason);
   due_ = true;
 }

@@ -39,7 +39,7 @@ class LastCommand {
 
   /// Keeps the command to an axis until its outcome is known.
   void keep(const ClientCommand& what) { what_ = what; }
-  void settle(Refused refused, std::int32_t cause = 0);
+  void settle(Refused refused);
   /// Makes the reply due again.
   void repeat() { due_ = true; }
 

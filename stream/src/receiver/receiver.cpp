@@ -51,6 +51,10 @@ void Receiver::refuse_row(std::uint32_t queue, std::uint64_t row, std::string re
   impl_->refuse_row(queue, row, std::move(reason));
 }
 
+void Receiver::stopped_with(std::int64_t session) {
+  impl_->stopped_with(session);
+}
+
 std::int64_t Receiver::session() const {
   return impl_->session();
 }

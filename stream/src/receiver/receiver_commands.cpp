@@ -117,7 +117,7 @@ void Receiver::Impl::done(const LastCommand& record) {
 void Receiver::Impl::refuse(std::int64_t session, std::int32_t command, std::string reason,
                             std::int32_t cause) {
   if (LastCommand* const record = pending(session, command))
-    record->settle({wire::Refusal::axis, std::move(reason)}, cause);
+    record->settle({wire::Refusal::axis, std::move(reason), cause});
 }
 
 // ---- operators ----------------------------------------------------------------------------------

@@ -139,6 +139,7 @@ void Receiver::Impl::refuse_command(std::int64_t session, std::int32_t command, 
                                        .command = command,
                                        .outcome = wire::Outcome::refused,
                                        .refusal = refused.refusal,
+                                       .cause = refused.cause,
                                        .reason = std::move(refused.reason)});
 }
 
@@ -156,11 +157,13 @@ void Receiver::Impl::end(SessionEnded::Why why) {
   armed_ = false;
   armed_queue_.reset();
   challenges_.renew_session();
+  const Cause cause = why == SessionEnded::Why::operator_stop ? Cause::stopped : Cause::none;
   // The answer to a stop is still due; nothing else may take effect any more.
   if (command_.waits(command_.number()) && command_.kind() != LastCommand::Kind::stop)
-    command_.settle({wire::Refusal::session_ended, reason_of(why)});
+    command_.settle(
+        {wire::Refusal::session_ended, reason_of(why), static_cast<std::int32_t>(cause)});
   events_.emplace_back(SessionEnded{session_.id(), why});
-  session_.end(reason_of(why));
+  session_.end(reason_of(why), cause);
 }
 
 void Receiver::Impl::expire(Nanos now) {

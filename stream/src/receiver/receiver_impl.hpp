@@ -32,6 +32,7 @@ class Receiver::Impl {
   void level(std::uint32_t queue, const QueueLevel& level);
   void refuse_queue(std::uint32_t queue, wire::Refusal refusal, std::string reason);
   void refuse_row(std::uint32_t queue, std::uint64_t row, std::string reason);
+  void stopped_with(std::int64_t session) { session_.stopped(session); }
   [[nodiscard]] std::int64_t session() const { return session_.id(); }
   [[nodiscard]] bool armed() const { return armed_; }
   [[nodiscard]] const TableStore& store() const { return tables_.store(); }

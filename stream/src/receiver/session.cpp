@@ -24,7 +24,8 @@ Refused Session::bars(const wire::Message& message, std::int64_t challenge) cons
   if (is_of_last_owner(message) && std::holds_alternative<wire::Stop>(message.body)) return {};
   const auto ended = std::find_if(ended_.begin(), ended_.end(),
                                   [&](const Ended& one) { return one.id == sender; });
-  if (ended != ended_.end()) return {wire::Refusal::session_ended, ended->reason};
+  if (ended != ended_.end())
+    return {wire::Refusal::session_ended, ended->reason, static_cast<std::int32_t>(ended->cause)};
   if (!is_free() && sender != id_)
     return {wire::Refusal::busy, "the axis belongs to another session"};
   if (message.challenge != challenge) return {wire::Refusal::stale_challenge, {}};
@@ -45,11 +46,16 @@ bool Session::is_silent(Nanos now) const {
   return !is_free() && now - received_ > (holds_ ? timeouts_.hold : timeouts_.usual);
 }
 
-void Session::end(std::string reason) {
-  ended_.push_back({id_, std::move(reason)});
+void Session::end(std::string reason, Cause cause) {
+  ended_.push_back({id_, std::move(reason), cause});
   if (ended_.size() > remembered_sessions) ended_.pop_front();
   id_ = 0;
   holds_ = false;
+}
+
+void Session::stopped(std::int64_t id) {
+  for (Ended& ended : ended_)
+    if (ended.id == id) ended.cause = Cause::stopped;
 }
 
 }  // namespace jounce

@@ -5,6 +5,7 @@
 #include <deque>
 #include <string>
 
+#include "jounce/command/cause.hpp"
 #include "jounce/stream/message/message.hpp"
 #include "jounce/stream/transport/transport.hpp"
 
@@ -49,13 +50,17 @@ class Session {
   /// Applies the timeout `hold` from now to the end of the session.
   void hold() { holds_ = true; }
   [[nodiscard]] bool is_silent(Nanos now) const;
-  /// Ends the session. `reason`: the answer to its later messages; may be empty.
-  void end(std::string reason = {});
+  /// Ends the session. `reason`: the answer to its later messages; may be empty. `cause`: `stopped` if
+  /// the axis was stopped, too.
+  void end(std::string reason = {}, Cause cause = Cause::none);
+  /// Adds to the answer to an ended session that its end has stopped the axis.
+  void stopped(std::int64_t id);
 
  private:
   struct Ended {
     std::int64_t id = 0;
     std::string reason = {};
+    Cause cause = Cause::none;
   };
 
   SessionTimeouts timeouts_;

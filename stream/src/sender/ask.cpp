@@ -4,16 +4,19 @@
 #include <utility>
 #include <variant>
 
+#include "stream/src/sender/outbox.hpp"
+
 namespace jounce {
 
 std::optional<wire::Reply> ask(Transport& link, wire::Message& message, CommandSlot& slot,
                                const AskOptions& options, const Clock& clock, Rejects& rejects) {
   const bool learns = message.session == 0 || slot.number() == 1;
   std::optional<wire::Reply> last;
+  stream_detail::Outbox outbox(link, options.key, clock);
   for (const Nanos end = clock() + options.patience; clock() <= end;) {
     if (auto body = slot.due(clock(), options.repeat)) {
       message.body = *std::move(body);
-      send_message(link, message, options.key);
+      outbox.send(message);
     }
     const auto answer = next_message(link, options.repeat, rejects, options.key);
     const auto* const reply = answer ? std::get_if<wire::Reply>(&answer->body) : nullptr;

@@ -21,6 +21,30 @@ bool is_over(wire::Refusal refusal) {
          refusal == wire::Refusal::stale_challenge;
 }
 
+/// True if the end of this session has stopped the axis, or may have stopped it: the executor no
+/// longer has the reason.
+bool has_stopped(const CallOutcome& over) {
+  return over.refusal != wire::Refusal::session_ended ||
+         over.cause == static_cast<std::int32_t>(Cause::stopped);
+}
+
+/// True if a motion that ended for this cause was not cut short.
+bool is_end(Cause cause) {
+  switch (cause) {
+    case Cause::none:
+    case Cause::end_velocity:
+    case Cause::pass_ended:
+    case Cause::replaced:
+    case Cause::released:
+    case Cause::range_end:
+    case Cause::reach_end:
+    case Cause::singular_end:
+      return true;
+    default:
+      return false;
+  }
+}
+
 CallOutcome refused(const wire::Reply& reply) {
   const std::string why = reply.reason.empty() ? "" : ": " + reply.reason;
   return {StreamError::refused, reply.refusal, reply.cause, name(reply.refusal) + why};
@@ -101,33 +125,58 @@ CallOutcome Client::open(Nanos patience) {
 
 /// Uses the present session, or a new one.
 CallOutcome Client::request(const wire::Body& body, Nanos patience) {
-  if (session_ != 0) {
-    CallOutcome outcome = ask(body, patience);
-    if (outcome.error != StreamError::refused || !is_over(outcome.refusal)) return outcome;
+  CallOutcome outcome{StreamError::refused, wire::Refusal::session_ended};
+  if (session_ != 0) outcome = ask(body, patience);
+  if (outcome.error == StreamError::refused && is_over(outcome.refusal)) {
+    if (session_ != 0 && has_stopped(outcome)) return ended(outcome);
+    if (CallOutcome opened = open(patience); !opened.ok()) return opened;
+    outcome = ask(body, patience);
   }
-  if (CallOutcome outcome = open(patience); !outcome.ok()) return outcome;
-  return ask(body, patience);
+  if (outcome.ok() && std::holds_alternative<wire::Start>(body)) awaits_end_ = true;
+  if (outcome.ok() && std::holds_alternative<wire::Stop>(body)) awaits_end_ = false;
+  return outcome;
 }
 
-CallOutcome Client::keep() {
-  if (session_ == 0)
-    return {StreamError::stopped, wire::Refusal::session_ended, 0,
-            stream_detail::session_ended_reason};
-  CallOutcome outcome = ask(wire::Heartbeat{});
-  if (outcome.error != StreamError::refused || !is_over(outcome.refusal)) return outcome;
+/// The session is over: its program must decide whether to continue. The cause is `stopped` if the axis
+/// was stopped, too.
+CallOutcome Client::ended(const CallOutcome& refused) {
   session_ = 0;
-  const std::string code = name(outcome.refusal);
+  const bool stopped = has_stopped(refused);
+  if (stopped) awaits_end_ = false;
+  const std::string code = name(refused.refusal);
   const bool explained =
-      outcome.refusal == wire::Refusal::session_ended && outcome.reason.size() > code.size() + 2;
-  return {StreamError::stopped, outcome.refusal, 0,
-          explained ? outcome.reason.substr(code.size() + 2) : stream_detail::session_ended_reason};
+      refused.refusal == wire::Refusal::session_ended && refused.reason.size() > code.size() + 2;
+  return {StreamError::stopped, refused.refusal,
+          static_cast<std::int32_t>(stopped ? Cause::stopped : Cause::none),
+          explained ? refused.reason.substr(code.size() + 2) : stream_detail::session_ended_reason};
+}
+
+CallOutcome Client::keep(Nanos patience) {
+  if (session_ == 0) return ended({StreamError::refused, wire::Refusal::session_ended});
+  CallOutcome outcome = ask(wire::Heartbeat{}, patience);
+  if (outcome.error != StreamError::refused || !is_over(outcome.refusal)) return outcome;
+  return ended(outcome);
+}
+
+CallOutcome Client::end_of_motion(const wire::Status& status) {
+  if (!std::exchange(awaits_end_, false)) return {};
+  const std::int32_t number = status.last_error != 0 ? status.last_error : status.reason;
+  const auto why = static_cast<Cause>(number);
+  if (is_end(why)) return {};
+  return {StreamError::stopped, wire::Refusal::none, number,
+          "the motion ended early, at " + stream_detail::place_of(status) + ": " + name(why) +
+              ": " + meaning(why),
+          status.last_error};
 }
 
 CallOutcome Client::command(const ClientCommand& command, std::int64_t at) {
   if (const std::string rule = contradiction(command); !rule.empty())
     throw InputError(name(kind_of(command)), "", rule);
   if (at < -1) throw InputError("at", std::to_string(at), "must be -1 or more");
-  return request(wire::message_of(command, at));
+  CallOutcome outcome = request(wire::message_of(command, at));
+  if (outcome.ok() && info(kind_of(command)).moves) awaits_end_ = true;
+  if (outcome.ok() && kind_of(command) == CommandKind::halt) awaits_end_ = false;
+  return outcome;
 }
 
 CallOutcome Client::release() {

@@ -13,6 +13,7 @@
 #include "jounce/stream/detail/sender.hpp"
 #include "jounce/stream/receiver/receiver_options.hpp"
 
+#include "stream/src/sender/outbox.hpp"
 #include "stream/src/sender/reasons.hpp"
 
 namespace jounce {
@@ -61,11 +62,12 @@ StreamOutcome stream_tables(Transport& link, StreamPlan plan, const StreamOption
   link.subscribe(replies, queue_capacity);
   Rejects rejects;
   Callbacks caller;
+  stream_detail::Outbox outbox(link, options.key, clock);
   bool stopped = false;
   for (const Nanos begin = clock();;) {
     if (clock() - begin > options.total)
       sender.fail(StreamError::out_of_time, stream_detail::time_over_reason(options.total));
-    for (const auto& message : sender.poll(clock())) send_message(link, message, options.key);
+    for (const auto& message : sender.poll(clock())) outbox.send(message);
     caller.report(options.progress, sender.outcome().progress);
     if (sender.done()) break;
 
@@ -92,8 +94,9 @@ RowOutcome stream_rows(Transport& link, RowPlan plan, const RowOptions& options,
   RowSender sender(std::move(plan), session, options.sender);
   link.subscribe(wire::channel(executor, wire::Lane::reply), queue_capacity);
   Rejects rejects;
+  stream_detail::Outbox outbox(link, options.key, clock);
   for (;;) {
-    for (const auto& message : sender.poll(clock())) send_message(link, message, options.key);
+    for (const auto& message : sender.poll(clock())) outbox.send(message);
     caller.report(options.progress, sender.outcome().progress);
     if (sender.done()) break;
     drain(link, options.period, options.key, rejects,

@@ -9,7 +9,10 @@
 
 #include "jounce/command/cause.hpp"
 #include "jounce/command/detail/command_table.hpp"
+#include "jounce/profiles/six_digits.hpp"
 #include "jounce/stream/transport/link.hpp"
+
+#include "stream/src/sender/reasons.hpp"
 
 namespace jounce {
 
@@ -31,6 +34,11 @@ CallOutcome home_outcome(const wire::Status& status) {
 
 bool is_at_rest(State state) {
   return state == State::standstill || state == State::disabled || state == State::error_stop;
+}
+
+/// In a fault, an axis may still brake.
+bool is_at_rest(const wire::Status& status) {
+  return is_at_rest(status.state) && status.slave_velocity == 0;
 }
 
 std::optional<wire::Status> next_status_of(Transport& link, const std::string& executor,
@@ -104,20 +112,101 @@ CallOutcome send_command(Transport& link, const std::string& executor, const Cli
   return outcome;
 }
 
-std::optional<State> await_rest(Transport& link, const std::string& executor, Nanos patience,
-                                const std::optional<wire::Key>& key, const Clock& clock) {
+std::optional<wire::Status> await_rest(Transport& link, const std::string& executor, Nanos patience,
+                                       const std::optional<wire::Key>& key, const Clock& clock) {
   for (const Nanos begin = clock(); clock() - begin < patience;) {
-    const auto status = next_status_of(link, executor, 100ms, key, clock);
-    if (status && is_at_rest(status->state)) return status->state;
+    auto status = next_status_of(link, executor, 100ms, key, clock);
+    if (status && is_at_rest(*status)) return status;
   }
   return std::nullopt;
+}
+
+namespace {
+
+/// A wait of the owner of an axis for its rest.
+class RestWait {
+ public:
+  RestWait(Client& client, const Clock& clock, Nanos patience)
+      : client_(client), clock_(clock), end_(clock() + patience), heard_(clock()) {}
+
+  [[nodiscard]] Nanos left() const { return end_ - clock_(); }
+
+  /// Keeps the session. A session that has ended is the reason to report when the axis is at rest.
+  /// Returns another failure that ends the wait.
+  [[nodiscard]] std::optional<CallOutcome> keep() {
+    if (client_.session() == 0) return std::nullopt;
+    const CallOutcome alive = client_.keep(std::min<Nanos>(500ms, left()));
+    if (alive.error == StreamError::stopped && alive.cause != 0) cut_short_ = alive;
+    if (alive.error == StreamError::restarted) return alive;
+    return std::nullopt;
+  }
+
+  [[nodiscard]] std::optional<CallOutcome> stop() {
+    if (std::exchange(cancelled_, true)) return std::nullopt;
+    if (CallOutcome stop = client_.stop(); !stop.ok()) return stop;
+    cut_short_ = CallOutcome{StreamError::stopped, wire::Refusal::none,
+                             static_cast<std::int32_t>(Cause::stopped), "the wait was cancelled"};
+    return std::nullopt;
+  }
+
+  [[nodiscard]] std::optional<CallOutcome> silence(const std::string& executor, bool heard) {
+    if (heard) heard_ = clock_();
+    if (clock_() - heard_ <= longest_silence) return std::nullopt;
+    return CallOutcome{
+        StreamError::contact_lost, wire::Refusal::none, 0,
+        "no status of " + executor + " for " + stream_detail::milliseconds(longest_silence)};
+  }
+
+  /// The outcome at rest.
+  CallOutcome end(const wire::Status& status) {
+    CallOutcome end = client_.end_of_motion(status);
+    if (!end.ok() && !cut_short_)
+      static_cast<void>(keep());  // a stop by an operator has ended the session, too
+    if (!cut_short_) return end;
+    cut_short_->reason += "; the axis rests at " + stream_detail::place_of(status);
+    return *cut_short_;
+  }
+
+  CallOutcome late(Nanos patience) const {
+    if (cut_short_) return *cut_short_;
+    return {
+        StreamError::out_of_time, wire::Refusal::none, 0,
+        "not at rest within " + six_digits(std::chrono::duration<double>(patience).count()) + " s"};
+  }
+
+ private:
+  static constexpr Nanos longest_silence = 2s;
+
+  Client& client_;
+  const Clock& clock_;
+  Nanos end_, heard_;
+  bool cancelled_ = false;
+  std::optional<CallOutcome> cut_short_;
+};
+
+}  // namespace
+
+RestOutcome await_rest(Transport& link, const std::string& executor, Client& client,
+                       const RestOptions& options, const Clock& clock) {
+  RestWait wait(client, clock, options.patience);
+  while (wait.left() > Nanos{}) {
+    std::optional<CallOutcome> failed = wait.keep();
+    const auto status =
+        next_status_of(link, executor, std::min<Nanos>(100ms, wait.left()), options.key, clock);
+    if (!failed && status && is_at_rest(*status))
+      return {wait.end(*status), status->state, status->slave_position};
+    if (!failed) failed = wait.silence(executor, status.has_value());
+    if (!failed && options.cancelled && options.cancelled()) failed = wait.stop();
+    if (failed) return {*failed};
+  }
+  return {wait.late(options.patience)};
 }
 
 CallOutcome await_home(Transport& link, const std::string& executor, Client& client,
                        const std::function<bool()>& cancelled, const std::optional<wire::Key>& key,
                        const Clock& clock) {
   bool stopped = false;
-  for (;;) {
+  for (bool owns = true;;) {
     if (const auto status = next_status_of(link, executor, 50ms, key, clock)) {
       const bool moves = status->slave_velocity != 0;  // it may still brake, also in a fault
       const bool under_way = status->state == State::homing || moves;
@@ -125,7 +214,9 @@ CallOutcome await_home(Transport& link, const std::string& executor, Client& cli
     }
     if (cancelled() && !std::exchange(stopped, true))
       if (const CallOutcome stop = client.stop(); !stop.ok()) return stop;
-    if (const CallOutcome alive = client.beat(); !alive.ok()) return alive;
+    const CallOutcome alive = owns ? client.keep() : CallOutcome{};
+    owns = owns && alive.error != StreamError::stopped;  // the status states how the axis stopped
+    if (owns && !alive.ok()) return alive;
   }
 }
 
@@ -187,7 +278,8 @@ CallOutcome execute_command(Transport& link, const std::string& executor,
 StopResult stop_axis(Transport& link, const std::string& executor, wire::StopMode mode,
                      Nanos patience, const std::optional<wire::Key>& key, const Clock& clock) {
   if (!operator_stop(link, executor, mode, 2s, key, clock)) return {};
-  return {true, await_rest(link, executor, patience, key, clock)};
+  const auto rest = await_rest(link, executor, patience, key, clock);
+  return {true, rest ? std::optional(rest->state) : std::nullopt};
 }
 
 std::optional<std::int64_t> tick_after(Transport& link, const std::string& executor, double seconds,

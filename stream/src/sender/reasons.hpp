@@ -4,6 +4,9 @@
 #include <cstdint>
 #include <string>
 
+#include "jounce/command/cause.hpp"
+#include "jounce/command/refusal_text.hpp"
+#include "jounce/stream/message/message.hpp"
 #include "jounce/stream/transport/transport.hpp"
 
 namespace jounce::stream_detail {
@@ -18,6 +21,12 @@ inline std::string session_ended_by(const std::string& reason) {
   return reason.empty() ? session_ended_reason : reason;
 }
 
+/// Commanded position: "39.7 mm"
+inline std::string place_of(const wire::Status& status) {
+  const std::string& unit = status.units.position;
+  return place_text(status.slave_position) + (unit.empty() ? "" : " " + unit);
+}
+
 /// "5000 ms"
 inline std::string milliseconds(Nanos time) {
   return std::to_string(std::chrono::duration_cast<std::chrono::milliseconds>(time).count()) +
@@ -26,15 +35,13 @@ inline std::string milliseconds(Nanos time) {
 
 /// The time limit of the whole call was reached.
 inline std::string time_over_reason(Nanos total) {
-  return "the stream did not reach its goal within " + milliseconds(total) +
-         ": permit more time (--patience)";
+  return "the stream did not reach its goal within " + milliseconds(total);
 }
 
 /// The axis came to rest too early, for a cause of the axis. `before`: "the swap".
 inline std::string at_rest_reason(const std::string& before, std::int32_t cause) {
-  const std::string number = std::to_string(cause);
-  return "the axis came to rest before " + before + ": cause " + number + " (jounce explain " +
-         number + ")";
+  const auto why = static_cast<Cause>(cause);
+  return "the axis came to rest before " + before + ": " + name(why) + ": " + meaning(why);
 }
 
 }  // namespace jounce::stream_detail

@@ -393,8 +393,7 @@ void Sender::fail(StreamError error, std::string reason) {
   // operator has canceled it.
   const bool canceled = error == StreamError::dropped || error == StreamError::stopped;
   if (stage() == StreamStage::waiting && !canceled)
-    reason += "; the accepted start still waits in the axis: `jounce stop " + plan_.executor +
-              "` cancels it";
+    reason += "; the accepted start still waits in the axis: a stop cancels it";
   outcome_.error = error;
   outcome_.reason = std::move(reason);
   // The outcome of an unanswered start is unknown: a possible motion is stopped.

@@ -23,6 +23,7 @@ namespace {
 using namespace test;
 using namespace test::on_plotter;
 using namespace std::chrono_literals;
+using ::testing::AnyOf;
 using ::testing::HasSubstr;
 
 TEST(GroupCommands, ALineMovesBothAxesAndRestsAtItsEnd) {
@@ -331,6 +332,35 @@ TEST(GroupCommands, AFastMoveTakesTheShortestTimeOfEachAxis) {
   EXPECT_THAT(
       site.order("plotter", command::MoveDirectAbsolute{at(5, 5), blending(50), true}).reason,
       HasSubstr("--fast: begins and ends at rest: leave out --blend"));
+}
+
+// The target of an absolute command is checked before the group stops for it.
+TEST(GroupCommands, AnAbortingCommandWithAnInvalidTargetKeepsThePresentMotion) {
+  Limits axis = limits(200, 2000, 1e5);
+  axis.position_min = -500;
+  axis.position_max = 500;
+  Judged site(false, axis);
+  ASSERT_TRUE(site.line(100, 0, {.along = {.velocity = 100}}).ok());
+  ASSERT_TRUE(
+      site.line(100, 20, {.along = {.velocity = 100}, .buffer = PathBuffer::buffered}).ok());
+  site.advance(400ms);
+  command::MoveCircularAbsolute arc{.to = at(600, 0)};
+  arc.radius = 400;
+  command::MoveLinearAbsolute third{.to = at(1, 1)};
+  third.to[2] = 5;
+  for (const ClientCommand& wrong :
+       {ClientCommand(command::MoveLinearAbsolute{.to = at(600, 0)}), ClientCommand(arc),
+        ClientCommand(command::MoveLinearAbsolute{.to = at(as_configured, -501)}),
+        ClientCommand(third), ClientCommand(command::MoveDirectAbsolute{at(0, 501), {}, true})}) {
+    const CallOutcome outcome = site.order("plotter", wrong);
+    EXPECT_FALSE(outcome.ok());
+    EXPECT_THAT(outcome.reason, AnyOf(HasSubstr("must be at "), HasSubstr("2 axes")));
+  }
+  EXPECT_NEAR(site.last(x).velocity, 100, 1e-9) << "it did not brake";
+  site.advance(3s);
+  EXPECT_EQ(site.last(x).position, 100);
+  EXPECT_EQ(site.last(y).position, 20) << "the buffered line was kept";
+  EXPECT_EQ(site.last(group).stopped, 0U);
 }
 
 TEST(GroupCommands, InvalidCommandsAreRejectedAndNothingMoves) {

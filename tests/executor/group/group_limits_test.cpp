@@ -462,12 +462,25 @@ TEST(GroupLimits, OfAxesThatAreQueuedEqualTheOfflinePlan) {
   }
 }
 
+TEST(GroupLimits, AboveThoseOfTheAxisAreAcceptedWithTheLimitsThatRemain) {
+  Measured site;
+  const CallOutcome high = site.order(
+      "plotter",
+      command::GroupSetLimits{.dynamics = {.velocity = 900, .acceleration = 50}, .axis = 1});
+  EXPECT_TRUE(high.ok());
+  EXPECT_THAT(high.reason, HasSubstr("the lower limits of x remain: velocity 200"));
+  EXPECT_EQ(high.reason.find("acceleration"), std::string::npos);
+  EXPECT_EQ(site.order("plotter", command::GroupSetLimits{.dynamics = {.velocity = 150}, .axis = 1})
+                .reason,
+            "");
+}
+
 TEST(GroupLimits, AreChecked) {
   Measured site;
   EXPECT_THAT(site.refused(command::GroupSetLimits{.dynamics = {.velocity = 5}, .axis = 3}),
-              HasSubstr("axis = 3: must be 1 (x) or 2 (y)"));
+              HasSubstr("--axis = 3: must be 1 (x) or 2 (y)"));
   EXPECT_THAT(site.refused(command::GroupSetLimits{.dynamics = {.deceleration = 5}, .axis = 1}),
-              HasSubstr("deceleration = 5: applies along the path only"));
+              HasSubstr("--deceleration = 5: applies along the path only"));
   EXPECT_THROW(static_cast<void>(
                    site.order("plotter", command::GroupSetLimits{.dynamics = {.velocity = -1}})),
                InputError);

@@ -99,6 +99,18 @@ TEST(Notices, ReportTheNumbersOfAFault) {
               HasSubstr("It requires 20700 mm/s^2. The limit is acceleration = 10000 mm/s^2."));
 }
 
+TEST(Notices, AFailedHomingNamesItsLimit) {
+  Tick now{.fault = Cause::home_timeout};
+  EXPECT_THAT(fault_text(now, "mm", {}), ::testing::EndsWith("longer than its timeout."));
+  now.fault_value = 0.5;
+  EXPECT_THAT(fault_text(now, "mm", {}), HasSubstr(" The limit is timeout = 0.5 s."));
+  for (const Cause cause : {Cause::search_distance, Cause::index_not_found}) {
+    now.fault = cause;
+    now.fault_value = 30;
+    EXPECT_THAT(fault_text(now, "mm", {}), HasSubstr(" The limit is distance = 30 mm."));
+  }
+}
+
 TEST(Notices, ARejectionNamesThePresentFault) {
   const ExecutorOptions options;
   const Tick now{.fault = Cause::negative_soft_limit};

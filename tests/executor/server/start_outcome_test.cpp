@@ -185,8 +185,9 @@ TEST(StartOutcome, AnExpiredPatienceIsReportedAndLeavesTheStartWaiting) {
   const StreamOutcome outcome =
       stream_tables(site.link, at_460(pmc600_cam()), options, site.clock, ++site.sessions);
   EXPECT_EQ(outcome.error, StreamError::out_of_time);
-  EXPECT_THAT(outcome.reason, HasSubstr("within 1000 ms: permit more time (--patience)"));
-  EXPECT_THAT(outcome.reason, HasSubstr("still waits"));
+  EXPECT_THAT(
+      outcome.reason,
+      HasSubstr("within 1000 ms; the accepted start still waits in the axis: a stop cancels it"));
   site.advance(100ms);
   EXPECT_TRUE(site.last(1).waiting);
 }

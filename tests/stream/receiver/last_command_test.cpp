@@ -52,7 +52,7 @@ TEST(LastCommand, WaitsForOneOutcome) {
   record.begin(Kind::arm, 2);
   EXPECT_TRUE(record.waits(2));
   EXPECT_FALSE(record.waits(1));
-  record.settle({wire::Refusal::axis, "start_position"}, 41);
+  record.settle({wire::Refusal::axis, "start_position", 41});
   EXPECT_FALSE(record.waits(2));
   const auto reply = record.take_reply().value();
   EXPECT_EQ(reply.outcome, Outcome::refused);
@@ -64,7 +64,7 @@ TEST(LastCommand, ANewCommandHasNothingOfTheOneBefore) {
   LastCommand record(boot);
   record.begin(Kind::command, 1);
   record.keep(command::Hold{});
-  record.settle({wire::Refusal::axis, "moves"}, 41);
+  record.settle({wire::Refusal::axis, "moves", 41});
   record.begin(Kind::start, 2);
   EXPECT_FALSE(record.what());
   const auto reply = record.take_reply().value();

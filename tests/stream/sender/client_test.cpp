@@ -90,6 +90,79 @@ TEST(Client, BeginsAnewAfterALongPause) {
   EXPECT_NE(client.session(), before);
 }
 
+TEST(Client, ReportsAStopByAnOperatorOnce) {
+  World world;
+  Client client(world.link, "feeder", {}, world.clock);
+  ASSERT_TRUE(client.enable().ok());
+  ASSERT_TRUE(operator_stop(world.link, "feeder", wire::StopMode::stop, 1s, {}, world.clock));
+  const std::size_t obeyed = world.executor->log.size();
+  const CallOutcome outcome = client.command(command::MoveRelative{.distance = 1});
+  EXPECT_EQ(outcome.error, StreamError::stopped);
+  EXPECT_EQ(outcome.cause, static_cast<std::int32_t>(Cause::stopped));
+  EXPECT_EQ(outcome.reason, "another operator stopped the axis");
+  EXPECT_EQ(world.executor->log.size(), obeyed) << "no effect";
+  EXPECT_EQ(world.executor->pump.receiver().session(), 0);
+  EXPECT_TRUE(client.command(command::MoveRelative{.distance = 1}).ok()) << "the program continues";
+}
+
+TEST(Client, ReportsThatTheEndOfItsSessionStoppedAMotion) {
+  World world;
+  Client client(world.link, "feeder", {}, world.clock);
+  ASSERT_TRUE(client.enable().ok());
+  const auto session = client.session();
+  world.pass(2s);
+  world.executor->pump.receiver().stopped_with(session);
+  const CallOutcome outcome = client.beat();
+  EXPECT_EQ(outcome.error, StreamError::stopped);
+  EXPECT_THAT(outcome.reason, testing::HasSubstr("no heartbeat of this program arrived in time"));
+  EXPECT_TRUE(client.beat().ok());
+}
+
+// After many other sessions, the executor no longer has the reason for the end of a session.
+TEST(Client, ReportsTheEndOfASessionThatTheExecutorHasForgotten) {
+  World world;
+  Client client(world.link, "feeder", {}, world.clock);
+  ASSERT_TRUE(client.enable().ok());
+  ASSERT_TRUE(operator_stop(world.link, "feeder", wire::StopMode::stop, 1s, {}, world.clock));
+  for (int i = 0; i < 20; ++i) {
+    Client other(world.link, "feeder", {}, world.clock);
+    ASSERT_TRUE(other.beat().ok());
+  }
+  EXPECT_EQ(client.enable().error, StreamError::stopped);
+  EXPECT_TRUE(client.enable().ok());
+}
+
+TEST(Client, ReportsAMotionThatWasCutShortOnce) {
+  World world;
+  Client client(world.link, "feeder", {}, world.clock);
+  const auto status = [](Cause reason) {
+    return wire::Status{.state = State::standstill,
+                        .slave_position = 39.7,
+                        .reason = static_cast<std::int32_t>(reason),
+                        .units = {"s", "mm"}};
+  };
+  const auto moved = [&] { return client.command(command::MoveRelative{.distance = 1}).ok(); };
+  EXPECT_TRUE(client.end_of_motion(status(Cause::stopped)).ok()) << "not a motion of this client";
+  for (const Cause cause : {Cause::stopped, Cause::group_stopped, Cause::following_error}) {
+    ASSERT_TRUE(moved());
+    const CallOutcome outcome = client.end_of_motion(status(cause));
+    EXPECT_EQ(outcome.error, StreamError::stopped);
+    EXPECT_EQ(outcome.cause, static_cast<std::int32_t>(cause));
+    EXPECT_THAT(outcome.reason, testing::StartsWith("the motion ended early, at 39.7 mm: "));
+    EXPECT_TRUE(client.end_of_motion(status(cause)).ok()) << "once";
+  }
+  for (const Cause cause : {Cause::none, Cause::pass_ended, Cause::replaced}) {
+    ASSERT_TRUE(moved());
+    EXPECT_TRUE(client.end_of_motion(status(cause)).ok()) << name(cause);
+  }
+  ASSERT_TRUE(moved() && client.stop().ok());
+  EXPECT_TRUE(client.end_of_motion(status(Cause::stopped)).ok()) << "its own stop";
+  ASSERT_TRUE(moved() && client.command(command::Halt{}).ok());
+  EXPECT_TRUE(client.end_of_motion(status(Cause::halted)).ok()) << "its own halt";
+  client.adopt_motion();
+  EXPECT_FALSE(client.end_of_motion(status(Cause::stopped)).ok());
+}
+
 TEST(Client, NeverRepeatsACommandToARestartedExecutor) {
   World world;
   Client client(world.link, "feeder", {}, world.clock);

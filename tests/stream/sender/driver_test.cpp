@@ -2,8 +2,13 @@
 #include "jounce/stream/detail/sender.hpp"
 #include "jounce/stream/sender/driver.hpp"
 
+#include <functional>
+#include <utility>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "jounce/stream/sender/client.hpp"
 
 #include "stream/harness.hpp"
 
@@ -64,6 +69,51 @@ TEST(Driver, AFloodOfStrangersIsAnsweredWithinBounds) {
   while (next_message(ear, Nanos{}, rejects)) ++answers;
   EXPECT_GT(answers, 0);
   EXPECT_LE(answers, 64) << "in one turn";
+}
+
+/// A link whose sends fail, as with a full buffer of the system (ENOBUFS).
+class FailingTransport : public Transport {
+ public:
+  FailingTransport(Transport& link, std::function<bool()> fails)
+      : link_(link), fails_(std::move(fails)) {}
+  void subscribe(const std::string& channel, int capacity) override {
+    link_.subscribe(channel, capacity);
+  }
+  void send(const std::string& channel, std::span<const std::byte> bytes) override {
+    if (fails_()) throw TransportError("No buffer space available");
+    link_.send(channel, bytes);
+  }
+  std::optional<Packet> receive(Nanos timeout) override { return link_.receive(timeout); }
+
+ private:
+  Transport& link_;
+  std::function<bool()> fails_;
+};
+
+TEST(Driver, AFailedSendIsALostPacket) {
+  World world;
+  int sends = 0;
+  FailingTransport link(world.link, [&] { return ++sends % 3 == 0; });
+  const StreamOutcome outcome =
+      stream_tables(link, test::plan_of(test::sine_table(5000)), {}, world.clock, 1);
+  EXPECT_TRUE(outcome.ok()) << outcome.reason;
+  EXPECT_EQ(world.executor->log.back(), "released 1");
+  Client client(link, "feeder", {}, world.clock);
+  for (int i = 0; i < 10; ++i) EXPECT_TRUE(client.beat().ok()) << i;
+}
+
+TEST(Driver, ALinkThatSendsNothingHasFailed) {
+  World world;
+  bool fails = false;
+  FailingTransport link(world.link, [&] { return fails; });
+  Client client(link, "feeder", {}, world.clock);
+  ASSERT_TRUE(client.beat().ok());
+  fails = true;
+  EXPECT_THROW(static_cast<void>(client.beat()), TransportError);
+  EXPECT_THROW(static_cast<void>(
+                   stream_tables(link, test::plan_of(test::sine_table(10)), {}, world.clock, 2)),
+               TransportError);
+  EXPECT_LT(world.now, 2s);
 }
 
 TEST(Driver, PublishesTheStatus) {

@@ -168,6 +168,101 @@ TEST(Operate, StopsAndWaitsForRest) {
   EXPECT_EQ(result.rest, State::standstill);
 }
 
+/// An axis that moves until a time of the world, then rests for this cause.
+struct Moving {
+  explicit Moving(Nanos end, Cause cause = Cause::none) : end(end), cause(cause) {
+    world.each_turn = [this] {
+      wire::Status status{.state = State::discrete_motion, .slave_velocity = 5};
+      if (world.now >= this->end)
+        status = {.state = State::standstill,
+                  .slave_position = 39.7,
+                  .reason = static_cast<std::int32_t>(this->cause)};
+      status.units = {"s", "mm"};
+      if (sends) world.executor->pump.publish(status);
+    };
+    EXPECT_TRUE(client.command(command::MoveRelative{.distance = 50}).ok());
+  }
+
+  RestOutcome rest(const RestOptions& options = {}) {
+    return await_rest(world.link, "feeder", client, options, world.clock);
+  }
+
+  World world;
+  Client client{world.link, "feeder", {}, world.clock};
+  Nanos end;
+  Cause cause;
+  bool sends = true;
+};
+
+TEST(Rest, IsTheEndOfTheMotionAndKeepsTheSession) {
+  Moving axis(std::chrono::seconds(5));
+  const auto session = axis.client.session();
+  const RestOutcome rest = axis.rest();
+  EXPECT_TRUE(rest.ok()) << rest.reason;
+  EXPECT_EQ(rest.state, State::standstill);
+  EXPECT_EQ(rest.position, 39.7);
+  EXPECT_EQ(axis.world.executor->pump.receiver().session(), session);
+}
+
+TEST(Rest, OfAMotionThatWasCutShortIsAnError) {
+  Moving axis(std::chrono::seconds(1), Cause::following_error);
+  const RestOutcome rest = axis.rest();
+  EXPECT_EQ(rest.error, StreamError::stopped);
+  EXPECT_EQ(rest.cause, static_cast<std::int32_t>(Cause::following_error));
+  EXPECT_THAT(rest.reason,
+              testing::StartsWith("the motion ended early, at 39.7 mm: following_error"));
+  EXPECT_TRUE(axis.rest().ok()) << "reported once";
+}
+
+TEST(Rest, AfterAStopByAnOperatorIsAnErrorOnce) {
+  for (const auto later : {std::chrono::milliseconds(0), std::chrono::milliseconds(700)}) {
+    Moving axis(std::chrono::seconds(1), Cause::stopped);
+    ASSERT_TRUE(operator_stop(axis.world.link, "feeder", wire::StopMode::stop,
+                              std::chrono::seconds(1), {}, axis.world.clock));
+    axis.end = axis.world.now + later;
+    axis.world.pass(later);
+    const RestOutcome rest = axis.rest();
+    EXPECT_EQ(rest.error, StreamError::stopped);
+    EXPECT_EQ(rest.reason, "another operator stopped the axis; the axis rests at 39.7 mm");
+    EXPECT_TRUE(axis.client.beat().ok()) << "reported already";
+  }
+}
+
+TEST(Rest, AfterTheSessionEndedAtRestIsNotAnError) {
+  Moving axis(std::chrono::milliseconds(100));
+  axis.world.pass(std::chrono::seconds(5));
+  EXPECT_EQ(axis.world.executor->pump.receiver().session(), 0);
+  const RestOutcome rest = axis.rest();
+  EXPECT_TRUE(rest.ok()) << rest.reason;
+}
+
+TEST(Rest, IsNotAwaitedFromAnExecutorThatSendsNothing) {
+  Moving axis(std::chrono::seconds(100));
+  axis.sends = false;
+  const Nanos begin = axis.world.now;
+  const RestOutcome lost = axis.rest();
+  EXPECT_EQ(lost.error, StreamError::contact_lost);
+  EXPECT_EQ(lost.reason, "no status of feeder for 2000 ms");
+  EXPECT_LT(axis.world.now - begin, std::chrono::seconds(3));
+}
+
+TEST(Rest, IsAwaitedUntilTheTimeIsOver) {
+  Moving axis(std::chrono::seconds(100));
+  const RestOutcome late = axis.rest({.patience = std::chrono::milliseconds(1500)});
+  EXPECT_EQ(late.error, StreamError::out_of_time);
+  EXPECT_EQ(late.reason, "not at rest within 1.5 s");
+  EXPECT_FALSE(late.state);
+}
+
+TEST(Rest, IsAwaitedAfterTheStopOfACancelledWait) {
+  Moving axis(std::chrono::seconds(2));
+  int asked = 0;
+  const RestOutcome rest = axis.rest({.cancelled = [&] { return ++asked == 3; }});
+  EXPECT_EQ(rest.error, StreamError::stopped);
+  EXPECT_EQ(rest.reason, "the wait was cancelled; the axis rests at 39.7 mm");
+  EXPECT_EQ(axis.world.executor->log.back(), "stop " + std::to_string(axis.client.session()));
+}
+
 TEST(Operate, CountsTicksFromTheStatus) {
   World world;
   EXPECT_FALSE(tick_after(world.link, "feeder", 0, {}, world.clock)) << "no status arrives";

@@ -49,7 +49,8 @@ struct Tick {
   Progress progress = Progress::done;  ///< progress of the motion that is played
   Cause fault = Cause::none;           ///< the latched fault; none: no fault
   /// The number that exceeded a limit at the fault: the following error (u), the velocity (u/s) of
-  /// overspeed, or the acceleration (u/s^2) of overacceleration and jump; NaN: none.
+  /// overspeed, or the acceleration (u/s^2) of overacceleration and jump. For home_timeout, the timeout
+  /// (s), and for search_distance and index_not_found, the distance (u) of the search. NaN: none.
   double fault_value = std::numeric_limits<double>::quiet_NaN();
   std::int64_t skipped = 0;    ///< ticks skipped between the previous step and this one
   std::uint64_t finished = 0;  ///< number of motions that reached their end, so far

@@ -151,6 +151,10 @@ class Receiver {
   /// Rejects a row of a queue. `row`: index in its bank, from 0.
   void refuse_row(std::uint32_t queue, std::uint64_t row, std::string reason);
 
+  /// Reports that the end of this session has stopped the axis in motion. Later messages of the session
+  /// are then answered with Cause::stopped, as after a stop by an operator.
+  void stopped_with(std::int64_t session);
+
   [[nodiscard]] std::int64_t session() const;  ///< 0: the axis is free
   /// True if an arm was accepted, until the next arm, an accepted start, a stop, or the end of the
   /// session. Only then is a start passed to the axis.

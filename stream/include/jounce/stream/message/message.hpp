@@ -204,7 +204,9 @@ struct Reply {
   std::int32_t command = 0;            ///< number of the command
   Outcome outcome = Outcome::pending;  ///< outcome of the command
   Refusal refusal = Refusal::none;     ///< reason for rejecting the command
-  std::int32_t cause = 0;              ///< for Refusal::axis: number of the Cause
+  /// Number of the Cause: for Refusal::axis; for Refusal::session_ended, Cause::stopped if the axis was
+  /// stopped with the session. 0: none.
+  std::int32_t cause = 0;
   /// The reason as text, or a remark on an accepted command; may be empty.
   std::string reason{};
 };

@@ -34,12 +34,36 @@ CallOutcome send_command(Transport& link, const std::string& executor, const Cli
                          std::int64_t at = -1, const std::optional<wire::Key>& key = {},
                          const Clock& clock = steady_now);
 
-/// Waits until the axis is at rest: in the state standstill, disabled or error_stop. Returns this
-/// state; nullopt if the axis is not at rest within `patience`. The session of a client is not kept
-/// alive meanwhile: call with a short patience, and Client::beat() in between.
-std::optional<State> await_rest(Transport& link, const std::string& executor, Nanos patience,
-                                const std::optional<wire::Key>& key = {},
-                                const Clock& clock = steady_now);
+/// Waits until the axis is at rest: in the state standstill, disabled or error_stop. Returns its status;
+/// nullopt if the axis is not at rest within `patience`. Status::reason is the cause that ended the last
+/// motion early. For the owner of the axis, the function below keeps the session alive.
+std::optional<wire::Status> await_rest(Transport& link, const std::string& executor, Nanos patience,
+                                       const std::optional<wire::Key>& key = {},
+                                       const Clock& clock = steady_now);
+
+/// Options of await_rest() for the owner of an axis.
+struct RestOptions {
+  Nanos patience = std::chrono::seconds(60);  ///< greatest duration of the call
+  /// Returns true to stop the axis; the call then waits for rest. May be empty.
+  std::function<bool()> cancelled = {};
+  std::optional<wire::Key> key = {};  ///< key of the executor; nullopt: none
+};
+
+/// Outcome of await_rest() for the owner of an axis.
+struct [[nodiscard]] RestOutcome : CallOutcome {
+  std::optional<State> state = {};  ///< state of the axis at rest; nullopt: it is not at rest
+  double position = wire::Status::unknown;  ///< place at which the axis rests, u
+};
+
+/// Waits until the axis is at rest, and keeps the session of its owner alive. The outcome is ok if the
+/// motion that the client commanded last has reached its end, or if the client has stopped or halted
+/// it (Client::end_of_motion()). The error is
+/// - stopped if the motion was cut short: by an operator, a fault, a stop of its group, the end of the
+///   session, or `cancelled`. The reason states why and where.
+/// - contact_lost if no status arrives for two seconds; out_of_time after `patience`.
+/// - restarted if the executor has restarted.
+RestOutcome await_rest(Transport& link, const std::string& executor, Client& client,
+                       const RestOptions& options = {}, const Clock& clock = steady_now);
 
 /// Waits for the end of a homing that the axis has accepted, and keeps the session of the client
 /// alive. If `cancelled` returns true, stops the axis once and waits for rest. If the axis is not

@@ -49,7 +49,8 @@ class Transport {
   /// for one.)
   virtual void subscribe(const std::string& channel, int capacity) = 0;
 
-  /// Sends bytes on a channel.
+  /// Sends bytes on a channel. A packet that cannot be sent now is lost. Throws TransportError if the
+  /// link has failed; streamers and clients end with it only after 0.3 s in which no send succeeded.
   virtual void send(const std::string& channel, std::span<const std::byte> bytes) = 0;
 
   /// Waits for at most `timeout` >= 0 and returns the next packet; nullopt if none has arrived.
