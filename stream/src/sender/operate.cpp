@@ -9,7 +9,7 @@
 
 #include "jounce/command/cause.hpp"
 #include "jounce/command/detail/command_table.hpp"
-#include "jounce/profiles/six_digits.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/stream/transport/link.hpp"
 
 #include "stream/src/sender/reasons.hpp"

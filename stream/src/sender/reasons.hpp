@@ -5,7 +5,7 @@
 #include <string>
 
 #include "jounce/command/cause.hpp"
-#include "jounce/command/refusal_text.hpp"
+#include "jounce/command/detail/refusal_text.hpp"
 #include "jounce/stream/message/message.hpp"
 #include "jounce/stream/transport/transport.hpp"
 
