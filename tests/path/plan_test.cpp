@@ -417,5 +417,36 @@ TEST(Plan, WritesTheMotionOfEachAxis) {
   EXPECT_THROW(made.path().jets(0, 0, jets), InputError);
 }
 
+Program zigzag(int lines) {
+  Program p(3);
+  p.set({.velocity = 100, .corner = Corner::deviation, .value = 0.5});
+  for (int i = 1; i <= lines; ++i) p.line({5.0 * i, i % 2 == 0 ? 0.0 : 5.0, 0.1 * (i % 7)}, i);
+  return p;
+}
+
+TEST(Plan, ALineWithARoundedCornerNeedsAtMost380Bytes) {
+  constexpr int lines = 1000;
+  const Plan made = plan(zigzag(lines), usual(3));
+  const std::size_t bytes =
+      made.path().bytes() + made.law().stretches().size_bytes() + made.junctions().size_bytes();
+  EXPECT_EQ(made.path().pieces().size(), 2 * lines - 1);
+  EXPECT_LE(bytes, 380 * lines);
+}
+
+TEST(Plan, TheLowerBoundOfALongProgramIsTheSumOfThoseOfItsParts) {
+  constexpr std::size_t lines = 3000;
+  constexpr std::size_t rest = 700;
+  const Program whole = zigzag(lines);
+  Program with_rest(3);
+  for (std::size_t k = 0; k < lines; ++k) {
+    if (k == rest) with_rest.dwell(0.5);
+    with_rest.set(whole.settings()[whole.commands()[k].settings]);
+    with_rest.line(whole.place_before(k + 1));
+  }
+  const auto bound = [](const Program& p) { return lower_bound(plan(p, usual(3)), 4); };
+  const double parts = bound(whole.part(0, rest)) + 0.5 + bound(whole.part(rest, lines));
+  EXPECT_NEAR(bound(with_rest), parts, 1e-12 * parts);
+}
+
 }  // namespace
 }  // namespace jounce::plan_test

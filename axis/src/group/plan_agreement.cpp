@@ -184,7 +184,7 @@ class Times {
     const LawInterval& a = before_[i];
     const LawInterval& b = after_[k];
     return near(a.start, b.start + offset_, scale_) && near(a.v0, b.v0, velocity_) &&
-           (a.pieces == 0) == (b.pieces == 0) && !a.single_phase && !b.single_phase;
+           (a.pieces == 0) == (b.pieces == 0) && !a.is_phase() && !b.is_phase();
   }
 
   [[nodiscard]] Agreement from(std::size_t i, std::size_t k) const {

@@ -102,8 +102,9 @@ struct Motions {
   std::vector<std::string> names;
   design_detail::PathMotion path = {};  ///< for the kind "path": names for each axis, and fits
 
-  [[nodiscard]] const std::vector<std::string>& names_of(std::size_t axis) const {
-    return path.names.empty() ? names : path.names[axis];
+  /// The names of an axis, once: those of a long path take much memory.
+  [[nodiscard]] std::vector<std::string> take_names(std::size_t axis) {
+    return path.names.empty() ? names : std::move(path.names[axis]);
   }
 };
 
@@ -194,8 +195,9 @@ std::vector<Made> make_motions(const Spec& spec) {
   // The knots of a PVT spec are its table, unless an operator has changed the motion.
   if (const auto* knots = std::get_if<Table>(&spec.subject); knots != nullptr && spec.then.empty())
     return {{parts.front(), LazyCurve(*knots), {}, {*knots, {}, {}}}};
-  const Motions before = motions_of(spec);
-  std::vector<Trajectory> curves = before.curves;
+  Motions before = motions_of(spec);
+  // Without operators, nothing is compared with the motion before: a copy of a long path takes much memory.
+  std::vector<Trajectory> curves = spec.then.empty() ? std::move(before.curves) : before.curves;
   const std::vector<Jet> fits =
       design_detail::apply(spec.then, parts, seconds_per_unit(spec), curves);
   std::vector<Made> all;
@@ -208,11 +210,14 @@ std::vector<Made> make_motions(const Spec& spec) {
       table.error.position += before.path.axes.error[i][0];
       table.error.velocity += before.path.axes.error[i][1];
     }
+    std::vector<std::string> names = names_after(spec, curves[i], before.take_names(i));
+    std::vector<Residual> residuals;
+    if (!spec.then.empty()) residuals = residuals_of(spec, before.curves[i], curves[i]);
     all.push_back({parts[i],
-                   curves[i],
-                   names_after(spec, curves[i], before.names_of(i)),
+                   std::move(curves[i]),
+                   std::move(names),
                    std::move(table),
-                   residuals_of(spec, before.curves[i], curves[i]),
+                   std::move(residuals),
                    {},
                    before.path.plan,
                    before.path.overlap});

@@ -80,7 +80,7 @@ program_t on_wire(const RecordedProgram& p) {
     const auto numbers = numbers_of(p.law[i]);
     for (std::size_t k = 0; k < numbers.size(); ++k) w.value[i][k] = *numbers[k];
     w.value[i][numbers.size()] = p.law[i].pieces;
-    w.single_phase[i] = p.law[i].single_phase ? 1 : 0;
+    w.single_phase[i] = p.law[i].is_phase() ? 1 : 0;
   }
   w.axes = static_cast<std::int32_t>(p.axes.size());
   for (std::size_t k = 0; k < p.axes.size(); ++k) {
@@ -115,7 +115,7 @@ RecordedProgram ours(const program_t& w) {
     const auto numbers = numbers_of(s);
     for (std::size_t k = 0; k < numbers.size(); ++k) *numbers[k] = w.value[i][k];
     s.pieces = w.value[i][numbers.size()] > 0 ? 1 : 0;  // one straight piece; 0: a rest
-    s.single_phase = w.single_phase[i] != 0;
+    if (w.single_phase[i] != 0) s.deceleration = 0;     // older recordings have others
     p.law.push_back(s);
   }
   for (int k = 0; k < w.axes; ++k) {

@@ -196,8 +196,13 @@ class Rounding {
 
   void append_corner(std::size_t k, const CornerShape& s, PieceKind kind) {
     const PathPiece& next = view_.piece(k);
-    pieces_.push_back({0, 2 * s.trim, numbers_.size(), next.line, next.settings, kind,
-                       view_.piece(k - 1).settings});
+    PathPiece& corner = path_detail::append_blank(pieces_);
+    corner.length = 2 * s.trim;
+    corner.data = next_index(numbers_);
+    corner.line = next.line;
+    corner.settings = next.settings;
+    corner.kind = kind;
+    corner.settings_before = view_.piece(k - 1).settings & (PathPiece::most_settings - 1);
   }
 
   void append_turn(std::size_t k, const CornerShape& s) {

@@ -51,7 +51,7 @@ Plan halted(const Plan& plan, double t) {
   }
   double v = here.v1;
   const Motion now = motion_in(here, into);
-  if (!here.single_phase && !is_corner(here)) {
+  if (!here.is_phase() && !is_corner(here)) {
     const MoveResult stopping =
         stop(state_of(now), within(Bounds::none, here.deceleration, here.jerk));
     if (stopping && stopping.profile.end().position <= here.length) {
@@ -74,7 +74,7 @@ Plan halted(const Plan& plan, double t) {
   held.add(here);
   for (++i; i < stretches.size() && v > 0; ++i) {
     LawInterval s = stretches[i];
-    if (s.single_phase) {
+    if (s.is_phase()) {
       v = s.v1;
     } else {
       s.v0 = s.peak = v;
@@ -124,7 +124,7 @@ Plan remaining(const Plan& plan, double from, double rested) {
     const double stretch_end = s.start + s.length;
     if (stretch_end < from - rounded_value * end) continue;
     if (s.pieces > 0 && stretch_end <= from + rounded_value * end) continue;
-    if (s.pieces == 0 || s.single_phase) {  // a dwell, or a run by a window, which begins at rest
+    if (s.pieces == 0 || s.is_phase()) {  // a dwell, or a run by a window, which begins at rest
       flush();
       LawInterval same = s;
       same.time = time;

@@ -34,7 +34,7 @@ double lowest_end(const Box& box, double length, double v) {
 void PartialLaw::phase(const LawInterval& whole, double at, double duration, const Motion& m) {
   if (!(duration > 0)) return;
   LawInterval s = whole;
-  s.single_phase = true;
+  s.deceleration = 0;
   s.start = whole.start + at;
   s.duration = duration;
   s.v0 = m.velocity;
@@ -323,7 +323,7 @@ class Replanned {
 Plan by_stations(const Plan& plan, double factor) {
   const auto stretches = plan.law().stretches();
   const bool window = std::any_of(stretches.begin(), stretches.end(),
-                                  [](const LawInterval& s) { return s.single_phase; });
+                                  [](const LawInterval& s) { return s.is_phase(); });
   if (factor == 1 && !window) return plan;
   return Replanned(plan, factor).run();
 }

@@ -15,7 +15,7 @@ namespace jounce {
 
 /// True for the stretch of a corner, which has constant velocity.
 inline bool is_corner(const LawInterval& s) {
-  return !s.single_phase && s.pieces > 0 && !std::isfinite(s.deceleration);
+  return !s.is_phase() && s.pieces > 0 && !std::isfinite(s.deceleration);
 }
 
 /// The lowest velocity that a law can have after `length`, if it begins at v: 0, or the end

@@ -90,7 +90,7 @@ Path reversed(const Path& path) {
     PathPiece piece = path.pieces()[k];
     piece.start = path.length() - (piece.start + piece.length);
     if (pieces.empty()) piece.start = 0;
-    piece.data = numbers.size();
+    piece.data = next_index(numbers);
     append_reversed(path, k, numbers);
     pieces.push_back(piece);
   }

@@ -251,7 +251,7 @@ std::optional<Route> with_averages(const Route& route, const Program& program) {
           if (cubic.from > 0) joints.push_back({0, false, true});
           PathPiece piece = pieces[cubic.leg];
           piece.kind = PieceKind::curve;
-          piece.data = numbers.size();
+          piece.data = next_index(numbers);
           const double h = cubic.to - cubic.from;
           numbers.push_back(3);
           for (std::size_t i = 0; i < n; ++i) {
@@ -265,7 +265,7 @@ std::optional<Route> with_averages(const Route& route, const Program& program) {
       }
     }
     PathPiece piece = pieces[k];
-    piece.data = numbers.size();
+    piece.data = next_index(numbers);
     const double* data = route.path.numbers(k);
     const std::size_t count = piece.kind == PieceKind::line ? 2 * n
                               : piece.kind == PieceKind::arc

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
+#include <string>
 
 #include "jounce/profiles/detail/evaluate.hpp"
 #include "jounce/profiles/error.hpp"
@@ -49,6 +51,10 @@ Segment plain_segment(const double* data, PieceKind kind, double length, std::si
 Path::Path(std::size_t axes, std::vector<PathPiece> pieces, std::vector<double> numbers)
     : axes_(axes), pieces_(std::move(pieces)), numbers_(std::move(numbers)) {
   assert(!pieces_.empty());
+  constexpr std::size_t most = std::numeric_limits<decltype(PathPiece::data)>::max();
+  if (numbers_.size() > most)
+    throw InputError("numbers", std::to_string(numbers_.size()),
+                     "must be at most " + std::to_string(most) + " in a path: divide the program");
 }
 
 double Path::length() const {

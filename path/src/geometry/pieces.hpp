@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 // The numbers of the pieces of a path for n axes.
@@ -44,6 +45,11 @@ class TurnNumbers {
   const double* data_;
   std::size_t n_;
 };
+
+/// PathPiece::data of a piece whose numbers are appended next. Path rejects more numbers than it can count.
+inline std::uint32_t next_index(const std::vector<double>& numbers) {
+  return static_cast<std::uint32_t>(numbers.size());
+}
 
 /// Appends `count` numbers.
 inline void append(std::vector<double>& numbers, const double* from, std::size_t count) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 
+#include "jounce/path/path.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
@@ -54,8 +55,12 @@ void Program::set(const PathSettings& settings) {
   const bool unused = commands_.empty() || commands_.back().settings + 1 != settings_.size();
   if (unused)
     settings_.back() = settings;
-  else
+  else if (settings_.size() < PathPiece::most_settings)
     settings_.push_back(settings);
+  else
+    throw InputError("settings", std::to_string(settings_.size() + 1),
+                     "must be at most " + std::to_string(PathPiece::most_settings) +
+                         " in a program: divide the program");
 }
 
 void Program::line(const Point& to, int line) {

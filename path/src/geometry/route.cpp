@@ -133,7 +133,8 @@ Route route_of(const Program& program) {
       joints.back().rests = true;
       continue;
     }
-    PathPiece piece{length, 0, numbers.size(), command.line, command.settings, PieceKind::line};
+    PathPiece piece{length,         0, next_index(numbers), command.line, command.settings,
+                    PieceKind::line};
     if (command.kind == Program::Kind::curve) {
       const PathCurve& curve = program.curves()[command.data];
       piece.kind = PieceKind::curve;
@@ -142,7 +143,7 @@ Route route_of(const Program& program) {
       for (std::size_t k = 0; k < curve.segments.size(); k += n) {
         piece.start = length;
         piece.length = curve.segments[k].length;
-        piece.data = numbers.size();
+        piece.data = next_index(numbers);
         append_curve(std::span(curve.segments).subspan(k, n), numbers);
         length += piece.length;
         pieces.push_back(piece);
@@ -218,7 +219,7 @@ void append_part(const Path& from, std::size_t k, double u0, double u1,
   const std::size_t n = from.axes();
   const double* data = from.numbers(k);
   PathPiece piece = whole;
-  piece.data = numbers.size();
+  piece.data = next_index(numbers);
   piece.length = u1 - u0;
   const double s0 = u0 / whole.length;
   const double s1 = u1 / whole.length;

@@ -14,6 +14,7 @@
 
 #include "path/src/corners/blend.hpp"
 #include "path/src/geometry/hull.hpp"
+#include "path/src/geometry/pieces.hpp"
 #include "path/src/geometry/septic.hpp"
 #include "path/src/maps/joints_at.hpp"
 #include "path/src/timing/not_limited.hpp"
@@ -353,7 +354,7 @@ class Fitting {
     PathPiece piece = path_.pieces()[unit.piece];
     piece.start = part.start;
     piece.length = part.length;
-    piece.data = numbers_.size();
+    piece.data = next_index(numbers_);
     piece.kind = PieceKind::curve;
     append_curve(std::span(axes).first(all_), numbers_);
     Unit added = unit;

@@ -108,7 +108,7 @@ Route Joined::with_linear(Route route) const {
   std::vector<PathPiece> pieces(route.path.pieces().begin(), route.path.pieces().end());
   std::vector<double> numbers;
   for (std::size_t k = 0; k < pieces.size(); ++k) {
-    pieces[k].data = numbers.size();
+    pieces[k].data = next_index(numbers);
     append_piece(route.path, k, map, numbers);
   }
   route.path = Path(rates_.axes, std::move(pieces), std::move(numbers));

@@ -35,6 +35,7 @@ using path_detail::unlimited;
 constexpr double short_cell = 1e-12;  ///< in (2) the cell is as short as if its slope were 0
 /// Share of the path's velocity: an axis below it gives no slope.
 constexpr double slow_axis = 1e-9;
+constexpr std::size_t block = 1024;  ///< pieces whose cells exist at the same time
 /// dB/dq <= 2 (f + s B) over a cell, for each axis that limits it.
 struct Growth {
   double f, s;
@@ -107,7 +108,6 @@ class Bound {
         cells_(cells) {}
 
   double run() {
-    const Path& path = plan_.path();
     double time = 0;
     for (const LawInterval& s : plan_.law().stretches())
       if (s.pieces == 0) {
@@ -117,26 +117,49 @@ class Bound {
     for (const LawInterval& s : plan_.law().stretches())
       if (s.pieces > 0 && s.v0 == 0) rests_.push_back(s.start);
     std::sort(rests_.begin(), rests_.end());
-    std::vector<Cell> cells;
-    std::vector<double> caps{0};
-    for (std::size_t k = 0; k < path.pieces().size(); ++k) {
-      if (std::binary_search(rests_.begin(), rests_.end(), path.pieces()[k].start)) caps.back() = 0;
-      append(k, cells, caps);
-    }
-    caps.back() = 0;
-    std::vector<double>& b = caps;
-    for (std::size_t i = 0; i < cells.size(); ++i)
-      b[i + 1] =
-          std::min(b[i + 1], grown(cells[i], std::span(cells[i].up).first(cells[i].ups), b[i]));
-    for (std::size_t i = cells.size(); i-- > 0;)
-      b[i] =
-          std::min(b[i], grown(cells[i], std::span(cells[i].down).first(cells[i].downs), b[i + 1]));
-    for (std::size_t i = 0; i < cells.size(); ++i) time += least_time(cells[i], b[i], b[i + 1]);
-    return time;
+    forward();
+    return time + backward();
   }
 
  private:
-  void append(std::size_t k, std::vector<Cell>& cells, std::vector<double>& caps) {
+  /// The bounds of B at the ends of all cells, from the caps and the forward pass.
+  void forward() {
+    const auto pieces = plan_.path().pieces();
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+      if (k % block == 0) block_.clear();
+      if (std::binary_search(rests_.begin(), rests_.end(), pieces[k].start)) most_.back() = 0;
+      const std::size_t first = block_.size();
+      append(k, &most_);
+      if (k + 1 == pieces.size()) most_.back() = 0;
+      double* b = most_.data() + (most_.size() - 1 - (block_.size() - first));
+      for (std::size_t i = first; i < block_.size(); ++i, ++b) {
+        const Cell& cell = block_[i];
+        b[1] = std::min(b[1], grown(cell, std::span(cell.up).first(cell.ups), b[0]));
+      }
+    }
+  }
+
+  /// The backward pass; returns the bound of the duration of all cells.
+  double backward() {
+    const std::size_t pieces = plan_.path().pieces().size();
+    double time = 0;
+    double* b = most_.data() + most_.size() - 1;  // at the end of the cell
+    for (std::size_t first = (pieces - 1) / block * block;; first -= block) {
+      if (first + block < pieces) {  // the last block is still there
+        block_.clear();
+        for (std::size_t k = first; k < first + block; ++k) append(k, nullptr);
+      }
+      for (std::size_t i = block_.size(); i-- > 0; --b) {
+        const Cell& cell = block_[i];
+        b[-1] = std::min(b[-1], grown(cell, std::span(cell.down).first(cell.downs), b[0]));
+        time += least_time(cell, b[-1], b[0]);
+      }
+      if (first == 0) return time;
+    }
+  }
+
+  /// Appends the cells of piece k to the block, and the caps at their ends to `caps`, if given.
+  void append(std::size_t k, std::vector<double>* caps) {
     const Path& path = plan_.path();
     const PathPiece& piece = path.pieces()[k];
     const PathSettings& settings = plan_.given().settings[piece.settings];
@@ -160,9 +183,10 @@ class Bound {
       if (up < unlimited) cell.up[cell.ups++] = {up, 0};
       if (down < unlimited) cell.down[cell.downs++] = {down, 0};
       curvature_of(k, (u0 + u1) / 2, cell);
-      caps.back() = std::min(caps.back(), cell.most);
-      cells.push_back(cell);
-      caps.push_back(std::min(cell.most, cap_at(k, u1)));
+      block_.push_back(cell);
+      if (caps == nullptr) continue;
+      caps->back() = std::min(caps->back(), cell.most);
+      caps->push_back(std::min(cell.most, cap_at(k, u1)));
     }
   }
 
@@ -254,6 +278,9 @@ class Bound {
   Rates rates_;  ///< on the piece that is examined
   int cells_;
   std::vector<double> rests_;
+  std::vector<double> most_{0};  ///< greatest B at the ends of the cells
+  /// The cells of the last `block` pieces: those of a long path would take 12 kB for each corner.
+  std::vector<Cell> block_;
 };
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "jounce/profiles/error.hpp"
 #include "jounce/profiles/sequences/synchronize.hpp"
 
+#include "path/src/geometry/pieces.hpp"
 #include "path/src/geometry/vector.hpp"
 
 namespace jounce {
@@ -133,11 +134,12 @@ Plan direct_plan(const Point& from, const Point& to, const std::vector<Limits>& 
   for (const double end : breaks) {
     const double h = end - begin;
     if (!(h > rounded_value * duration)) continue;  // breaks of several axes at one time
-    pieces.push_back({.start = begin * speed,
-                      .length = h * speed,
-                      .data = numbers.size(),
-                      .line = 1,
-                      .kind = PieceKind::curve});
+    PathPiece& piece = pieces.emplace_back();
+    piece.start = begin * speed;
+    piece.length = h * speed;
+    piece.data = next_index(numbers);
+    piece.line = 1;
+    piece.kind = PieceKind::curve;
     constexpr double degree = 3;
     numbers.push_back(degree);
     for (const Trajectory& motion : motions) {
@@ -152,7 +154,6 @@ Plan direct_plan(const Point& from, const Point& to, const std::vector<Limits>& 
                          .peak = speed,
                          .v1 = speed,
                          .duration = duration,
-                         .single_phase = true,
                          .pieces = static_cast<std::uint32_t>(pieces.size())};
   Plan::Given given;
   given.limits.axes = limits;

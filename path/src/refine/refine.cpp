@@ -398,7 +398,7 @@ class Refinement {
   [[nodiscard]] std::size_t nodes_of(const LawRun& run) const {
     const auto stretches = plan_.law().stretches().subspan(run.begin, run.end - run.begin);
     const bool window = std::any_of(stretches.begin(), stretches.end(),
-                                    [](const LawInterval& s) { return s.single_phase; });
+                                    [](const LawInterval& s) { return s.is_phase(); });
     return std::max(least_nodes,
                     window ? run.pieces / pieces_a_node : stretches.size() * nodes_a_stretch);
   }

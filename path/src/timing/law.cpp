@@ -93,7 +93,7 @@ LawPhase scaled(LawPhase phase, double factor) {
 /// True for a stretch at constant velocity.
 bool cruises(const LawInterval& stretch) {
   return stretch.v0 == stretch.peak && stretch.v1 == stretch.peak && stretch.peak > 0 &&
-         stretch.pieces > 0 && !stretch.single_phase;
+         stretch.pieces > 0 && !stretch.is_phase();
 }
 
 Unscaled unscaled_phases(const LawInterval& stretch, std::span<LawPhase, 7> out) {
@@ -103,7 +103,7 @@ Unscaled unscaled_phases(const LawInterval& stretch, std::span<LawPhase, 7> out)
     builder.add(stretch.duration, 0);
     return {builder.count, 1};
   }
-  if (stretch.single_phase) {
+  if (stretch.is_phase()) {
     out[0] = {stretch.duration, 0, stretch.v0, stretch.acceleration, stretch.jerk};
     return {1, 1};
   }

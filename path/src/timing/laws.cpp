@@ -25,7 +25,6 @@ std::vector<LawInterval> stretches_of(const Path& path, std::size_t first, std::
   const double origin = path.pieces()[first].start;
   for (const LawPhase& p : phases) {
     LawInterval s;
-    s.single_phase = true;
     s.time = time;
     s.duration = p.duration;
     s.start = p.position;

@@ -128,26 +128,27 @@ template class Curve<OverLength>;
 
 namespace {
 
+/// The curve of the mapped segments, from `start` on.
 template <class Over, class Map>
-Curve<Over> mapped(const Curve<Over>& f, Map map) {
+Curve<Over> mapped(const Curve<Over>& f, double start, Map map) {
   std::vector<Segment> segments;
   segments.reserve(f.segments().size());
   for (const auto& piece : f.segments()) segments.push_back(map(piece));
-  return Curve<Over>(std::move(segments), f.start(), f.outside());
+  return Curve<Over>(std::move(segments), start, f.outside());
 }
 
 }  // namespace
 
 template <class Over>
 Curve<Over> derivative(const Curve<Over>& f) {
-  const auto slope = mapped(f, [](const Segment& piece) { return derivative(piece); });
+  const auto slope = mapped(f, f.start(), [](const Segment& piece) { return derivative(piece); });
   return f.outside() == Extrapolation::advance ? with(slope, Extrapolation::wrap) : slope;
 }
 
 template <class Over>
 Curve<Over> integral(const Curve<Over>& f, double start_value) {
   double at_break = start_value;
-  return mapped(f, [&](const Segment& piece) {
+  return mapped(f, f.start(), [&](const Segment& piece) {
     const auto g = integral(piece, at_break);
     if (!g) throw InputError("degree", piece.degree, "the integral would pass degree 11");
     at_break = value(*g, 1);
@@ -157,20 +158,17 @@ Curve<Over> integral(const Curve<Over>& f, double start_value) {
 
 template <class Over>
 Curve<Over> shifted(const Curve<Over>& f, double dx, double dy) {
-  const auto moved = mapped(f, [&](const Segment& piece) { return scaled(piece, 1, dy); });
-  return Curve<Over>({moved.segments().begin(), moved.segments().end()}, f.start() + dx,
-                     f.outside());
+  return mapped(f, f.start() + dx, [&](const Segment& piece) { return scaled(piece, 1, dy); });
 }
 
 template <class Over>
 Curve<Over> scaled(const Curve<Over>& f, double factor, double stretch) {
   require_positive("stretch", stretch);
-  const auto g = mapped(f, [&](const Segment& piece) {
+  return mapped(f, f.start() * stretch, [&](const Segment& piece) {
     Segment piece_scaled = scaled(piece, factor);
     piece_scaled.length *= stretch;
     return piece_scaled;
   });
-  return Curve<Over>({g.segments().begin(), g.segments().end()}, f.start() * stretch, f.outside());
 }
 
 template <class Over>

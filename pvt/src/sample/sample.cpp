@@ -69,7 +69,9 @@ std::vector<double> within_limits(const Curve<Over>& f, Interpolation rule, cons
 /// a segment keeps the segment's sines), so its extrema are exact too.
 template <class Over>
 SampleError error_of(const Curve<Over>& f, const Table& table) {
-  const auto difference = sum(table.curve<Over>(), scaled(with(f, table.outside()), -1));
+  const Curve<Over> opposite =
+      f.outside() == table.outside() ? scaled(f, -1) : scaled(with(f, table.outside()), -1);
+  const auto difference = sum(table.curve<Over>(), opposite);
   const Ranges ranges = extrema(difference);
   return {std::abs(ranges[0].peak().value), ranges[0].peak().where,
           std::abs(ranges[1].peak().value)};
@@ -237,31 +239,61 @@ double rise(const Segment& f) {
 /// length h and up to the sixth power, a stretch rises by
 ///
 ///     (3)  h (v0 + v1) / 2 + h^2 (a0 - a1) / 10 + h^3 (j0 + j1) / 120
+///
+/// Successive calls have one common end, and the other ends differ by a few doubles. So the stretch and the
+/// jets of the last call are used again.
 template <class Over>
-double rise(const Curve<Over>& f, double a, double b) {
-  const auto breaks = f.breaks();
-  double sum = 0;
-  while (a < b) {
-    const auto above = std::upper_bound(breaks.begin(), breaks.end(), a);
-    const double end = above == breaks.end() ? b : std::min(b, *above);
-    const auto i = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(
-        above - breaks.begin() - 1, 0, static_cast<std::ptrdiff_t>(f.segments().size()) - 1));
-    if (const Segment& piece = f.segments()[i]; has_short_rise(piece)) {
-      const Jet from = f.jet(a, Side::right);
-      const Jet to = f.jet(end, Side::left);
-      const double h = end - a;
-      sum +=
-          h * ((from[1] + to[1]) / 2 + h * ((from[2] - to[2]) / 10 + h * (from[3] + to[3]) / 120));
-    } else {
-      const auto place = [&](double x) {
-        return std::clamp((x - breaks[i]) / piece.length, 0.0, 1.0);
-      };
-      if (place(a) < place(end)) sum += rise(part(piece, place(a), place(end)));
+class CurveRise {
+ public:
+  explicit CurveRise(const Curve<Over>& f) : f_(f) {}
+
+  double operator()(double a, double b) {
+    const auto breaks = f_.breaks();
+    double sum = 0;
+    while (a < b) {
+      seek(a);
+      const double end = a < breaks.back() ? std::min(b, breaks[stretch_ + 1]) : b;
+      if (const Segment& piece = f_.segments()[stretch_]; has_short_rise(piece)) {
+        const Jet& from = from_.at(f_, a, Side::right);
+        const Jet& to = to_.at(f_, end, Side::left);
+        const double h = end - a;
+        sum += h *
+               ((from[1] + to[1]) / 2 + h * ((from[2] - to[2]) / 10 + h * (from[3] + to[3]) / 120));
+      } else {
+        const auto place = [&](double x) {
+          return std::clamp((x - breaks[stretch_]) / piece.length, 0.0, 1.0);
+        };
+        if (place(a) < place(end)) sum += rise(part(piece, place(a), place(end)));
+      }
+      a = end;
     }
-    a = end;
+    return sum;
   }
-  return sum;
-}
+
+ private:
+  /// The jet of the curve at the last place.
+  struct LastJet {
+    double x = std::numeric_limits<double>::quiet_NaN();
+    Jet jet{};
+
+    const Jet& at(const Curve<Over>& f, double place, Side side) {
+      if (place != x) jet = f.jet(x = place, side);
+      return jet;
+    }
+  };
+
+  /// Finds the stretch from a on. A place outside the curve belongs to the first or the last one.
+  void seek(double a) {
+    const auto breaks = f_.breaks();
+    if (breaks[stretch_] <= a && a < breaks[stretch_ + 1]) return;
+    const auto above = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, a);
+    stretch_ = static_cast<std::size_t>(above - breaks.begin()) - 1;
+  }
+
+  const Curve<Over>& f_;
+  std::size_t stretch_ = 0;
+  LastJet from_, to_;
+};
 
 /// Knots that are near each other, such as those of a short phase. Over the length d between them, the
 /// rounding e of the rise causes a jerk of 60 e / d^3. So the position of the next knot is that of
@@ -358,8 +390,10 @@ class ShortIntervals {
   void settle(Columns& all, std::size_t i, std::size_t moved) const {
     const bool forward = moved > i;
     const std::size_t other = forward ? i : i + 1;
+    CurveRise<Over> rise_between(f_);
     const auto at = [&](double x) {
-      const double wanted = forward ? rise(f_, all.x[other], x) : -rise(f_, x, all.x[other]);
+      const double wanted =
+          forward ? rise_between(all.x[other], x) : -rise_between(x, all.x[other]);
       const double position = all.p[other] + wanted;
       return Place{x, position, position - all.p[other] - wanted};
     };

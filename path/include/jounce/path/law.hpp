@@ -22,14 +22,16 @@ struct LawInterval {
   double start = 0;                 ///< q at its start
   double length = 0;                ///< in q
   double v0 = 0, peak = 0, v1 = 0;  ///< q/s: at the start, greatest, at the end
-  /// q/s^2, > 0, of the first and of the last ramp. If single_phase: the acceleration at the start,
+  /// q/s^2, > 0, of the first and of the last ramp. In a window law: the acceleration at the start,
   /// signed, and 0.
   double acceleration = 0, deceleration = 0;
-  double jerk = 0;            ///< q/s^3, > 0; signed if single_phase
-  double duration = 0;        ///< s
-  bool single_phase = false;  ///< true: a phase of constant jerk (window law)
-  std::uint32_t piece = 0;    ///< index of its first piece of the path
-  std::uint32_t pieces = 0;   ///< number of pieces; 0: a rest
+  double jerk = 0;           ///< q/s^3, > 0; signed in a window law
+  double duration = 0;       ///< s
+  std::uint32_t piece = 0;   ///< index of its first piece of the path
+  std::uint32_t pieces = 0;  ///< number of pieces; 0: a rest
+
+  /// True for a phase of constant jerk (window law).
+  [[nodiscard]] bool is_phase() const { return pieces > 0 && deceleration == 0; }
 };
 
 /// A phase of constant jerk.
@@ -39,7 +41,7 @@ struct LawPhase {
          jerk = 0;  ///< at its start: q from the start of the stretch, q/s, q/s^2, q/s^3
 };
 
-/// A timing law: q as a function of time. Piecewise cubic, with continuous acceleration; 100 bytes
+/// A timing law: q as a function of time. Piecewise cubic, with continuous acceleration; 92 bytes
 /// for each stretch.
 class TimingLaw {
  public:

@@ -24,16 +24,19 @@ enum class PieceKind : std::uint8_t {
 
 /// One piece of a path: a single formula.
 struct PathPiece {
-  double start = 0;      ///< q at its start
-  double length = 0;     ///< length in q
-  std::size_t data = 0;  ///< index of its first number
+  /// Number of settings that a program can have: an index has 24 bits.
+  static constexpr std::uint32_t most_settings = std::uint32_t{1} << 24U;
+
+  double start = 0;        ///< q at its start
+  double length = 0;       ///< length in q
+  std::uint32_t data = 0;  ///< index of its first number
   /// Source line: for joined lines, the line of the first one; for a corner, the line of the
   /// command after the corner.
   std::int32_t line = 0;
   std::uint32_t settings = 0;  ///< index into the settings of the program
   PieceKind kind = PieceKind::line;
   /// For a corner: index of the settings of the command before it.
-  std::uint32_t settings_before = 0;
+  std::uint32_t settings_before : 24 = 0;
 };
 
 /// The path of a group of axes: one curve for each axis as a function of the path parameter q.
@@ -42,11 +45,11 @@ struct PathPiece {
 /// that it replaces. So a path of lines has the same length in q with and without rounded corners.
 /// On a turn, |r'| <= 1, where r is the position on the path.
 ///
-/// **Memory.** A piece needs 40 bytes and, for n axes, 2n numbers for a line, 3n + 1 for a turn,
+/// **Memory.** A piece needs 32 bytes and, for n axes, 2n numbers for a line, 3n + 1 for a turn,
 /// 6n + 1 for a blend. curve() makes a Curve from these numbers.
 class Path {
  public:
-  /// Used by plan(), which makes paths.
+  /// Used by plan(), which makes paths. Throws InputError for more than 2^32 - 1 numbers.
   Path(std::size_t axes, std::vector<PathPiece> pieces, std::vector<double> numbers);
 
   [[nodiscard]] std::size_t axes() const { return axes_; }
