@@ -113,10 +113,11 @@ void add_master(CommandLine& line) {
   verb.option("--seconds", options->seconds,
               "End after this number of seconds; without it, a table that repeats never ends")
       .check(seconds());
-  verb.option("--epoch", options->epoch,
-              "Number of this run of the sender: executors reject samples with a lower number than "
-              "one received before; without --key, they forget it after 1 s without samples. "
-              "Default: seconds since 2020")
+  verb.option(
+          "--epoch", options->epoch,
+          "Number of this run of the sender: executors reject samples with a lower number than "
+          "one received before; without --key, they forget that number after 1 s without samples. "
+          "Default: seconds since 2020")
       .check(whole(0, std::numeric_limits<std::int32_t>::max()));
   verb.option("--noise", options->noise,
               "White noise of the encoder, rms: 20um, or a number in the unit of the table");

@@ -109,7 +109,7 @@ int run_monitor(const MonitorArguments& options) {
 void add_monitor(CommandLine& line) {
   const auto options = std::make_shared<MonitorArguments>();
   const Verb verb = line.verb(
-      "monitor", "Show the present state of executors",
+      "monitor", "Show the present state of axes and groups",
       "jounce monitor                           all executors\n"
       "jounce monitor feeder knife\n"
       "jounce monitor feeder --seconds 10 --json > feeder.jsonl\n"
@@ -118,7 +118,7 @@ void add_monitor(CommandLine& line) {
       "Output to a file or a pipe has one line for each status. late cycles: number of cycles that "
       "began a whole period late or more, since the executor started.");
   const Option names = verb.option("NAME", options->executors,
-                                   "Names of executors; default: all that send messages");
+                                   "Names of axes and groups; default: all that send messages");
   verb.option("--seconds", options->seconds,
               "End after this number of seconds; default: run until q or Ctrl-C")
       .check(seconds());

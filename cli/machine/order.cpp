@@ -59,8 +59,9 @@ wire::GroupStatus coordinates_of(const OrderArguments& options, KeyedLink& link)
 CallOutcome execute(const OrderArguments& options, KeyedLink& link, const Units& units) {
   const bool homes = options.words.what == "home";
   if (homes && !options.at.empty())
-    throw InputError("--at", options.at,
-                     "cannot be combined with home, which waits until the axis is homed");
+    throw InputError(
+        "--at", options.at,
+        "cannot be combined with home, which waits until the axis is homed: leave --at out");
   const wire::GroupStatus group = coordinates_of(options, link);
   const ClientCommand command = command_of(options.words, units, group.axes, group.units);
   std::optional<Interrupt> interrupt;
@@ -130,15 +131,16 @@ ValueCheck command_word(const OrderArguments& options) {
 
 void add_order(CommandLine& line) {
   const auto options = std::make_shared<OrderArguments>();
-  const Verb verb = line.verb("order", "Send one command to an axis or a group",
-                              "jounce order feeder move --to 120mm --velocity 200mm/s\n"
-                              "jounce order feeder move --by 80mm --blend next\n"
-                              "jounce order feeder jog -20mm/s --hold-to-run\n"
-                              "jounce order feeder inch 0.5mm --velocity 5mm/s\n"
-                              "jounce order plotter move-linear x=10mm y=5mm --velocity 80mm/s\n"
-                              "jounce order feeder override 50%\n"
-                              "jounce order feeder home --method 24 --search-velocity 40mm/s\n"
-                              "Numbers without a unit have the unit of the axis.");
+  const Verb verb =
+      line.verb("order", "Send one command to an axis or a group",
+                "jounce order feeder move --to 120mm --velocity 200mm/s\n"
+                "jounce order feeder move --by 80mm --blend next\n"
+                "jounce order feeder jog -20mm/s --hold-to-run\n"
+                "jounce order feeder inch 0.5mm --velocity 5mm/s\n"
+                "jounce order plotter move-linear x=10mm y=5mm --velocity 80mm/s\n"
+                "jounce order feeder override 50%\n"
+                "jounce order feeder home --method 24 --search-velocity 40mm/s\n"
+                "A number without a unit has the unit of the axis: mm, and mm/s for a velocity.");
   verb.option("NAME", options->executor, "Name of the axis or group").required();
   verb.option(
           "WHAT", options->words.what,
@@ -149,8 +151,8 @@ void add_order(CommandLine& line) {
   verb.option(
       "VALUE", options->values,
       "Coordinates of a group (x=10mm y=5mm). Factor of override (50%), distance of inch, velocity "
-      "of change-velocity, of jog (0: rest), "
-      "position of set-position, ratio of gear-in, gear-in-pos, combine (3:2), time of wait (s)");
+      "of change-velocity, of jog (0: rest), position of set-position, ratio of gear-in, "
+      "gear-in-pos, combine (3:2), time of wait (s), M word (6), trigger input of touch-probe (1)");
   add_options(verb, options->words);
   verb.option("--seconds", options->seconds, "End a --hold-to-run jog after this number of seconds")
       .check(seconds());

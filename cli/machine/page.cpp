@@ -66,7 +66,7 @@ void add_page(CommandLine& line) {
       "jounce page feeder knife --port 8080\n"
       "jounce page feeder --url 'udpm://239.255.76.67:7667?ttl=1' --key line.key\n"
       "`jounce run --web` starts a page beside its executor.");
-  verb.option("NAME", options->axes, "Names of the executors to show").required();
+  verb.option("NAME", options->axes, "Names of the axes and groups to show").required();
   verb.option("--port", options->port, "Port on 127.0.0.1; 0: any free port")
       .check(whole(0, 65535))
       .shown();

@@ -21,16 +21,17 @@ constexpr std::array entries{
     Entry{Cause::none, "none", "Nothing is wrong.", "Nothing."},
     Entry{Cause::aborted, "aborted",
           "Aborted on request: the setpoint has stayed where it was at the abort.",
-          "Remove the reason for the abort, reset the axis, and send the motion again."},
+          "Remove the reason for the abort, send `jounce order NAME reset`, and then the motion "
+          "again."},
     Entry{Cause::disabled_in_motion, "disabled_in_motion",
           "The axis was disabled in motion: the setpoint has stayed where it was then.",
-          "Find out who disabled the axis: the drive, an operator, or a second program. Then reset "
-          "and enable the axis."},
+          "Find out who disabled the axis: the drive, an operator, or a second program. Then send "
+          "`jounce order NAME reset` and `jounce order NAME enable`."},
     Entry{
         Cause::stalled, "stalled",
         "During a motion, a cycle was late by longest_gap or more: the setpoint would have jumped.",
-        "Run the executor with --realtime on a real-time kernel, or raise longest_gap. Then "
-        "reset the axis."},
+        "Run the executor with --realtime on a real-time kernel, or raise longest_gap in [axis]. "
+        "Then send `jounce order NAME reset`."},
     Entry{Cause::overspeed, "overspeed",
           "The next setpoint needs a velocity above the limit of the axis.",
           "With a live master: slow the master down, or raise the velocity limit of the axis. With "
@@ -43,70 +44,81 @@ constexpr std::array entries{
         Cause::following_error, "following_error",
         "The following error exceeded its limit (following_error) for longer than following_time.",
         "Check the load, the brake and the tuning of the drive; `jounce validate` shows the torque "
-        "that the motion needs. Then reset the axis."},
+        "that the motion needs. Then send `jounce order NAME reset`."},
     Entry{Cause::positive_soft_limit, "positive_soft_limit",
           "The motion would have passed position_max: the axis stopped before it.",
-          "Reset the axis, then move it back into its position range."},
+          "Send `jounce order NAME reset`, then move the axis back into its position range."},
     Entry{Cause::negative_soft_limit, "negative_soft_limit",
           "The motion would have passed position_min: the axis stopped before it.",
-          "Reset the axis, then move it back into its position range."},
+          "Send `jounce order NAME reset`, then move the axis back into its position range."},
     Entry{Cause::positive_switch, "positive_switch", "The axis reached the positive limit switch.",
-          "Reset the axis, then move it off the switch in the negative direction."},
+          "Send `jounce order NAME reset`, then move the axis off the switch in the negative "
+          "direction."},
     Entry{Cause::negative_switch, "negative_switch", "The axis reached the negative limit switch.",
-          "Reset the axis, then move it off the switch in the positive direction."},
+          "Send `jounce order NAME reset`, then move the axis off the switch in the positive "
+          "direction."},
     Entry{
         Cause::underrun, "underrun",
         "Buffer underrun: the rows of the streamed path arrived too slowly, so the axis stopped on "
         "its path.",
-        "Reset the axis, send more rows, and resume; or reset it and stream again. Send the rows "
-        "earlier, or more of them before the start (--ahead)."},
+        "Send `jounce order NAME reset`, then stream again, with more rows before the start "
+        "(--ahead). A program that sends its own rows can also reset the axis, send more rows, and "
+        "resume."},
     Entry{Cause::watchdog, "watchdog",
           "Watchdog expired: no heartbeat from the program that streams, or from the communication "
           "thread of the executor.",
           "Check that the streaming program is still running, that the network is up, and that the "
-          "executor gets enough CPU time. Then reset the axis."},
+          "executor gets enough CPU time; session_timeout in [axis] and --watchdog are the limits. "
+          "Then send `jounce order NAME reset`."},
     Entry{Cause::drive_fault, "drive_fault", "The drive reports a fault.",
-          "Read the fault number of the drive and remove its cause. Then reset the drive, and then "
-          "the axis."},
+          "Read the fault number of the drive and remove its cause. Then reset the drive, and send "
+          "`jounce order NAME reset`."},
     Entry{Cause::drive_not_ready, "drive_not_ready",
           "The drive stopped following setpoints while it was enabled.",
           "Check the enable signal, the safe torque off (STO) and the bus voltage of the drive. "
-          "Then reset the axis."},
-    Entry{Cause::master_lost, "master_lost", "The axis receives no valid position of its master.",
-          "Check the encoder or the program that sends the master position, and its connection. "
-          "Then reset the axis."},
+          "Then send `jounce order NAME reset`."},
+    Entry{
+        Cause::master_lost, "master_lost", "The axis receives no valid position of its master.",
+        "If the master is an axis, remove its fault and enable it. Otherwise check its encoder, or "
+        "the program that sends its position, and the connection. Then send `jounce order NAME "
+        "reset`."},
     Entry{
         Cause::jump, "jump",
         "The next setpoint is not a finite number, or needs more than stop_acceleration.",
         "With a live master: use a smaller gear ratio or a gentler cam, lower the acceleration of "
-        "the master, or filter its measured position. The slave of a follow table stops where the "
-        "master turns back, or moves back beyond the beginning of a pass: turn where the ratio is "
-        "0, or use a cam. With a table over time: report a defect, because the table was checked "
-        "before it started."},
+        "the master, or filter its measured position. With a follow table, the fault also occurs "
+        "where the master reverses, or moves back beyond the beginning of a pass: reverse the "
+        "master where the ratio is 0, or use a cam. With a table over time: report a defect, "
+        "because the table was checked before it started."},
     Entry{Cause::overacceleration, "overacceleration",
           "The master requires an acceleration above the limit of the axis.",
           "Lower the acceleration or the velocity of the master, use a smaller gear ratio or a "
-          "gentler cam, or raise acceleration in the [limits] of the axis. Then reset the axis."},
+          "gentler cam, or raise acceleration in the [limits] of the axis. Then send `jounce order "
+          "NAME reset`."},
     Entry{Cause::master_reversed, "master_reversed",
           "The master reversed while the slave engaged with it.",
-          "Reset the axis, and engage while the master moves in its normal direction."},
-    Entry{Cause::axis_fault, "axis_fault",
-          "An axis of the group has a fault, was stopped or was disabled: the group stopped on its "
-          "path.",
-          "Find the axis with `jounce monitor`, remove the cause, and reset and enable the axis. "
-          "Then reset the group. `jounce order GROUP resume` continues the path."},
+          "Send `jounce order NAME reset`, and engage while the master moves in its normal "
+          "direction."},
+    Entry{
+        Cause::axis_fault, "axis_fault",
+        "An axis of the group has a fault, was stopped or was disabled: the group stopped on its "
+        "path.",
+        "Find the axis with `jounce monitor`, remove the cause, and send `jounce order AXIS reset` "
+        "and `jounce order AXIS enable`. Then send `jounce order GROUP reset`; `jounce order GROUP "
+        "resume` continues the path."},
     Entry{Cause::marks_lost, "marks_lost",
           "Registration lost its marks: too many products in succession had no mark in the window.",
           "Check the mark sensor and the film. If the marks drift further than expected, raise "
-          "`window` in [registration]. Then reset the axis and start the motion again."},
+          "window in [registration]. Then send `jounce order NAME reset`, and start the motion "
+          "again."},
     Entry{Cause::not_enabled, "not_enabled", "The axis or group is disabled.",
           "Enable it: `jounce order NAME enable`."},
     Entry{Cause::in_error, "in_error", "The axis or group has a fault.",
           "Remove the cause of the fault (`jounce monitor NAME` shows it), then send `jounce order "
           "NAME reset`."},
     Entry{Cause::in_motion, "in_motion", "The axis or group is moving.",
-          "Wait for standstill, or end the motion: `jounce order NAME halt`. `finish` ends a table "
-          "that repeats at the end of its pass."},
+          "Wait for standstill, or end the motion: `jounce order NAME halt`. `jounce order NAME "
+          "finish` lets a table that repeats end with its present pass."},
     Entry{Cause::not_armed, "not_armed", "No table is armed.",
           "Send a table and arm it. After a stop, the table must be armed again."},
     Entry{Cause::not_at_start, "not_at_start",
@@ -114,8 +126,8 @@ constexpr std::array entries{
           "The axis was moved, or its position was set, after the table was armed: move the axis "
           "to the start of the table, or arm the table again."},
     Entry{Cause::too_late, "too_late", "The requested start tick has passed.",
-          "Give a later tick: the command, and a table if it starts one, must arrive before it. "
-          "`jounce monitor NAME --json` shows the present tick."},
+          "Give a later tick: the command, with its table if it has one, must arrive before this "
+          "tick. `jounce monitor NAME --json` shows the present tick."},
     Entry{Cause::no_value, "no_value",
           "The table or the number of the command is missing or not finite.",
           "Send the command with its table, or with a finite number."},
@@ -155,7 +167,7 @@ constexpr std::array entries{
           "A velocity, acceleration, deceleration or jerk of the command is not greater than 0.",
           "Give a number greater than 0, or leave the option out to use the limit of the axis."},
     Entry{Cause::no_reserve, "no_reserve",
-          "The present motion uses a whole limit, so nothing is left for a superimposed move.",
+          "The present motion uses a limit completely, so nothing is left for a superimposed move.",
           "Begin the present motion with a lower --velocity, --acceleration, --deceleration and "
           "--jerk (each is the limit of the axis by default), or wait for its end."},
     Entry{Cause::bad_table, "bad_table", "The tables do not form a motion.",
@@ -294,8 +306,8 @@ constexpr std::array entries{
           "Enable, home or reset the axis, or wait for its standstill; then repeat the command."},
     Entry{Cause::axis_away, "axis_away",
           "An axis of the group is not where the path begins or continues.",
-          "Unless the group has a fault, disable it first. Move the axis there, enable the group, "
-          "and repeat the command."},
+          "Disable the group, which is not necessary after a fault of the group. Move the axis "
+          "there, enable the group, and repeat the command."},
     Entry{
         Cause::not_a_group, "not_a_group", "The name belongs to a single axis, not to a group.",
         "Use `jounce order NAME move --to POSITION`. For a table: choose one axis of the path with "
@@ -308,8 +320,9 @@ constexpr std::array entries{
         "Choose an input that the drive has, or connect this one. For a simulated drive, add "
         "[[drive.machine.marks]] (1 to 4), or home_switch or index in [drive.machine], to the spec "
         "of the axis."},
-    Entry{Cause::no_touch_probe, "no_touch_probe", "No touch probe waits at this input.",
-          "The touch probe has made its captures, or was never started."},
+    Entry{
+        Cause::no_touch_probe, "no_touch_probe", "No touch probe waits at this input.",
+        "No abort-trigger is needed: the touch probe has made its captures, or was never started."},
     Entry{Cause::probe_window, "probe_window",
           "The window of the touch probe contains no position that the axis can reach.",
           "Give a first position below the last position, both within the position range of the "
@@ -377,12 +390,10 @@ constexpr std::array entries{
           "forward."},
     Entry{Cause::cutter_away, "cutter_away", "The cutter does not stand at its home position.",
           "Move the axis to its home position: `jounce order NAME move --to POSITION`."},
-    Entry{Cause::no_compensation, "no_compensation",
-          "The spec of the axis has no compensation (HIMC error 0x83aa0190).",
+    Entry{Cause::no_compensation, "no_compensation", "The spec of the axis has no compensation.",
           "Add [compensation] with its table to the spec of the axis."},
     Entry{Cause::compensation_active, "compensation_active",
-          "The compensation of the axis, or of an axis that refers to it, is active (HIMC error "
-          "0x83aa00d2).",
+          "The compensation of the axis, or of an axis that refers to it, is active.",
           "Disable that axis, and switch its compensation off: `jounce order NAME "
           "disable-compensation`."},
     Entry{Cause::compensation_inactive, "compensation_inactive",

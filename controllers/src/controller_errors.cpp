@@ -17,8 +17,8 @@ constexpr std::array table{
     ControllerError{"PMC600", 602, "more than 32 accesses to one cam", "none",
                     "any number of axes may use one cam"},
     ControllerError{"PMC600", 625, "no cam selected", "Refusal table_missing",
-                    "in the library, a Coupling always has a cam; an executor refuses to arm a "
-                    "table that is missing"},
+                    "in the library, a Coupling always has a cam; an executor rejects the "
+                    "arming of a table that is missing"},
     ControllerError{
         "PMC600", 626, "master outside the valid range", "CouplingStatus master_outside_cam",
         "for a cam with `outside = \"refuse\"`; with `\"hold\"`, the slave waits at the end value"},

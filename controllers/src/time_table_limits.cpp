@@ -24,7 +24,7 @@ void googol::require_pt(std::span<const PtPoint> points, std::size_t loops) {
                        "must be at most 2147483647 ms: GT_PtData takes a long of 32 bits");
     if (whole != points[i].x) {
       std::string rule =
-          "must be a whole number of ms: GT_PtData converts it to a long, here " + number(whole);
+          "must be a whole number of ms: GT_PtData would take " + number(whole) + " ms";
       if (!(whole > before)) rule += ", and the table would never advance";
       throw InputError(key("point", i), points[i].x, rule);
     }

@@ -36,13 +36,17 @@ std::string names_line(const TableFile& file) {
   return text;
 }
 
-/// Number of instants start + k step before the end, and the end.
-std::size_t rows_of(const Table& table, double step) {
+std::string with_space(const std::string& unit) {
+  return unit.empty() ? "" : " " + unit;
+}
+
+/// Number of instants start + k step before the end, and the end. `unit`: of the step.
+std::size_t rows_of(const Table& table, const std::string& unit, double step) {
   require_positive("every", step);
   if (step > table.length() * (1 + rounded_sum))
-    throw InputError(
-        "every", step,
-        "must be at most " + six_digits_down(table.length()) + ", the length of the table");
+    throw InputError("every", number(step) + with_space(unit),
+                     "must be at most " + six_digits_down(table.length()) + with_space(unit) +
+                         ", the length of the table");
   const double steps = std::ceil(table.length() / step * (1 - rounded_sum));
   if (!(steps < most_rows)) throw InputError("every", step, "makes more than 100 million rows");
   return static_cast<std::size_t>(steps) + 1;
@@ -57,7 +61,7 @@ double instant(const Table& table, double step, std::size_t k) {
 
 std::string samples_csv(const TableFile& file, double step) {
   const Table& table = file.table;
-  const std::size_t rows = rows_of(table, step);
+  const std::size_t rows = rows_of(table, file.units.x, step);
   std::string text = names_line(file);
   std::array<std::array<double, block>, 4> columns;
   auto& [x, p, v, a] = columns;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <array>
 #include <string_view>
 #include <system_error>
@@ -31,6 +32,13 @@ constexpr std::array arguments{
     std::pair{"--periodic", "periodic=True"},
     std::pair{"--patience", "timeout"},
     std::pair{"--against", "against"},
+    std::pair{"--allow-loss", "allow_loss=True"},
+    std::pair{"--continuity", "continuity"},
+    std::pair{"--controller", "controller"},
+    std::pair{"--intervals", "intervals"},
+    std::pair{"--limit", "limits"},
+    std::pair{"--most", "most"},
+    std::pair{"--rule", "rule"},
     std::pair{"--axis", "axis"},
     std::pair{"--live", "live=True"}};
 
@@ -76,11 +84,17 @@ void translate(std::exception_ptr thrown) {
 }  // namespace
 
 std::string with_arguments(std::string message) {
+  // An option within backquotes belongs to a command that the message quotes.
+  const auto is_quoted = [&](std::size_t at) {
+    return std::count(message.begin(), message.begin() + static_cast<std::ptrdiff_t>(at), '`') %
+               2 !=
+           0;
+  };
   for (const auto& [option, argument] : arguments) {
     const std::string_view wanted = option;
     for (std::size_t at = message.find(wanted); at != std::string::npos;
          at = message.find(wanted, at + 1))
-      message.replace(at, wanted.size(), argument);
+      if (!is_quoted(at)) message.replace(at, wanted.size(), argument);
   }
   return message;
 }

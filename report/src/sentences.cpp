@@ -218,8 +218,8 @@ std::string of_sync(const Finding& f, const std::string& where) {
   if (f.broken)
     return fmt::format("the blade is in the web for {} {}, but in step for only {} {}",
                        rounded(f.limit), f.unit, rounded(f.value), f.unit);
-  return fmt::format("the blade is in step for {} {}, in the web for {}", rounded(f.value), f.unit,
-                     rounded(f.limit));
+  return fmt::format("the blade is in step for {} {}, and in the web for {} {}", rounded(f.value),
+                     f.unit, rounded(f.limit), f.unit);
 }
 
 /// Findings of velocities that are filled in.

@@ -52,9 +52,7 @@ void read_own_units(TomlReader& top, Spec& spec, const Kind& kind) {
       top.table("units", over_master ? "units = { position = \"mm\", master = \"deg\" }"
                                      : "units = { position = \"mm\" }");
   spec.units.position = spec_detail::read_position_unit(units, "position", nullptr);
-  spec.time_unit = read_unit(units, "time", "s");
-  if (!is_convertible(spec.time_unit, "s"))
-    units.fail("time", '"' + spec.time_unit + '"', "must be a unit of time: s, ms, us, min or h");
+  spec.time_unit = spec_detail::read_time_unit(units, "time");
   spec.units.x = over_master ? spec_detail::read_master_unit(units, "master") : spec.time_unit;
   if (kind.runs == Kind::no_curve && units.has("master"))
     spec.master_unit = spec_detail::read_master_unit(units, "master");
@@ -77,8 +75,8 @@ void read_units(TomlReader& top, Spec& spec, const Kind& kind) {
 /// Gives the quantities that rules name by a word their units.
 void name_quantities(TomlReader& top, const Spec& spec, const Kind& kind) {
   const Units& units = spec.units;
-  for (const char* noun : {"the motion has the length", "a segment of the length"})
-    top.name_quantity(noun, kind.runs == Kind::over_master ? units.x : spec.time_unit);
+  top.name_quantity("of the length", kind.runs == Kind::over_master ? units.x : spec.time_unit);
+  top.name_quantity("the time", spec.time_unit);
   if (kind.name == std::string_view("axes")) return;  // each axis has units of its own
   if (kind.runs == Kind::over_master) {
     for (const char* noun : {"master", "length from", "the master travels"})
@@ -89,7 +87,6 @@ void name_quantities(TomlReader& top, const Spec& spec, const Kind& kind) {
       top.name_quantity(noun, rate_unit(units.position, units.x, 1));
     return;
   }
-  top.name_quantity("the time", spec.time_unit);
   top.name_quantity("position", units.position);
   int order = 1;
   for (const char* noun : {"velocity", "acceleration", "jerk"})
@@ -301,9 +298,10 @@ constexpr std::array kinds{
 void refuse_other_kinds(TomlReader& top) {
   const auto kind = top.optional_text("kind");
   if (kind == "machine")
-    top.fail(
-        "kind", "\"machine\"",
-        "is a machine: run it alone, with `jounce run`, or give the spec of one of its axes here");
+    top.fail("kind", "\"machine\"",
+             "is a machine, which has no motion of its own: give the spec of a motion here. "
+             "`jounce run` "
+             "runs a machine, without other specs");
   if (kind == "sweep")
     top.fail("kind", "\"sweep\"",
              "is a sweep: start it with `jounce sweep`, or give the spec that it varies here");

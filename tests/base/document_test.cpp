@@ -28,10 +28,10 @@ TEST(Document, NumbersOfARuleHaveTheUnitsOfTheirKeys) {
   EXPECT_EQ(
       located("stroke", 120,
               "must be at least 337.5, of which run-up and braking take 187.5, at line_speed = "
-              "1000; at this stroke, line_speed must be at most 300, or sync_time at most 0.2"),
+              "1000, or line_speed at most 300 with this stroke, or sync_time at most 0.2"),
       "s.toml:4:10: shear.stroke = 120 mm: must be at least 337.5 mm, of which run-up and "
-      "braking take 187.5 mm, at line_speed = 60 m/min; at this stroke, line_speed must be at "
-      "most 18 m/min, or sync_time at most 0.2 s");
+      "braking take 187.5 mm, at line_speed = 60 m/min, or line_speed at most 18 m/min with this "
+      "stroke, or sync_time at most 0.2 s");
   EXPECT_EQ(located("line_speed", 3000, "must be at most 2000: above limits.slave.velocity = 2000"),
             "s.toml: shear.line_speed = 180 m/min: must be at most 120 m/min: above "
             "limits.slave.velocity = 2000 mm/s");

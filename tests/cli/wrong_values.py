@@ -10,6 +10,7 @@ file, then
   - this is the line of the changed key, or the message repeats the wrong value: a value can contradict another key.
     A huge value can also make a computed number impossible, or no table can resolve the whole motion;
   - a value at the changed key is repeated;
+  - a key that the file gives is not missing;
   - if this key has a unit, a unit or a noun follows each number of the message, except 0. `jounce check` itself names the
     unit of a key when the value has the unit of another quantity.
 
@@ -80,9 +81,11 @@ def fault_of(output, status, file, lines, changed, wrong, unit):
         return "" if "no table resolves both" in output else "no place"
     for message in messages:
         line, key, rest = int(message.group(2)), message.group(4), message.group(5)
-        name = re.sub(r"\[\d+\]$", "", key.split(".")[-1].strip("[]"))
+        name = re.sub(r"\[\d+\]$", "", key.split(".")[-1]).strip("[]")
         if re.search(rf"\b{name}\b", without_comment(lines[line - 1])) is None and "is missing" not in rest:
             return f"the line {line} does not contain {name}"
+        if "is missing" in rest and re.search(rf"^\s*{re.escape(name)}\s*=", lines[line - 1]):
+            return f"{key} is given"
         bare = bare_number(rest) if unit and line == changed and wrong != '"5 kg"' else ""
         if bare:
             return f"{bare} has no unit; the value has {unit}"

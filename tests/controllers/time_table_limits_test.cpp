@@ -30,12 +30,11 @@ TEST(Googol, TimesAreWholeMilliseconds) {
   // The manual's example 7-4 as printed: a long incremented by 0.016.
   const std::vector<PtPoint> printed{{0.016, 40.1447}, {0.032, 160.3}};
   EXPECT_EQ(message([&] { googol::require_pt(printed); }),
-            "point[1].time = 0.016: must be a whole number of ms: GT_PtData converts it to a long, "
-            "here 0, and the table would never advance");
+            "point[1].time = 0.016: must be a whole number of ms: GT_PtData would take 0 ms, "
+            "and the table would never advance");
   const std::vector<PtPoint> half{{1, 1}, {2.5, 2}};
-  EXPECT_EQ(
-      message([&] { googol::require_pt(half); }),
-      "point[2].time = 2.5: must be a whole number of ms: GT_PtData converts it to a long, here 2");
+  EXPECT_EQ(message([&] { googol::require_pt(half); }),
+            "point[2].time = 2.5: must be a whole number of ms: GT_PtData would take 2 ms");
 }
 
 TEST(Googol, OnlyOneFifoCanBeRepeated) {

@@ -82,8 +82,8 @@ TEST(CamLimitAdvice, SegmentsThatDoNotFitTogetherGetTheLeastLimit) {
   for (const Finding& f : found)
     EXPECT_THAT(
         f.advice,
-        HasSubstr("the segments 1 rise, 3 return need 375 deg together, and the cam has 360 "
-                  "deg for them"));
+        HasSubstr("together, the segments 1 rise, 3 return need 375 deg, but only 360 deg of "
+                  "the cam, dwells included, are left for them"));
   const double least = number_after(found.front().advice, "raise the limit to at least ");
   EXPECT_NEAR(least, 1.875 * 100 / 360, 1e-4);
   EXPECT_EQ(broken({.rise = 180, .back = 180}, fmt::format("geo_velocity = {}\n", least)).size(),

@@ -196,7 +196,7 @@ TEST(CamThen, ErrorsNameTheOperatorAndWhatToDo) {
               HasSubstr("then[1].master = -1: must be greater than 0"));
   EXPECT_THAT(error_of("{ operator = \"scale\" }"), HasSubstr("then[1].slave: is missing"));
   EXPECT_THAT(error_of("{ operator = \"insert\", at = 60, dwell = 10 }"),
-              HasSubstr("then[1].at = 60 deg: is where the slave moves"));
+              HasSubstr("then[1].at = 60 deg: must be a place where the slave rests"));
   EXPECT_THAT(error_of("{ operator = \"insert\", at = 60 }"), HasSubstr("or dwell = NUMBER"));
   EXPECT_THAT(error_of("{ operator = \"mirror\", slave = 1, master = 2 }"),
               HasSubstr("cannot be combined with master"));

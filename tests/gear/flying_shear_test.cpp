@@ -181,9 +181,9 @@ TEST(FlyingShear, RejectsThePower7CaseWithAWorkingRemedy) {
     EXPECT_EQ(error.key(), "cut_length");
     EXPECT_EQ(error.rule(), "must be at least " + six_digits_up(least.value) +
                                 " at line_speed = " + six_digits(shear.line_speed) +
-                                "; at this cut_length, line_speed must be at most " +
-                                six_digits_down(fastest.value) +
-                                ": a shorter return would break limits.acceleration");
+                                ", or line_speed at most " + six_digits_down(fastest.value) +
+                                " with this cut_length: a shorter return would exceed "
+                                "limits.acceleration");
   }
   shear.cut_length = least.value;  // the returned length works, a shorter one does not
   EXPECT_NO_THROW(flying_shear(shear));
@@ -283,14 +283,14 @@ TEST(FlyingShear, NamesWhatBinds) {
   using ::testing::StartsWith;
   FlyingShear shear = case_2();
   shear.limits.velocity = 0.5;
-  EXPECT_THAT(refusal(shear), StartsWith("line_speed = 1: must be at most 0.5: otherwise the "
-                                         "carriage in the sync zone is faster than"));
+  EXPECT_THAT(refusal(shear), StartsWith("line_speed = 1: must be at most 0.5: at a higher "
+                                         "speed, the carriage in the sync zone exceeds"));
   shear = case_2();
   shear.stroke = 0.3;
   EXPECT_THAT(
       refusal(shear),
       StartsWith("stroke = 0.3: must be at least 0.3375, of which run-up and braking take 0.1875, "
-                 "at line_speed = 1; at this stroke, line_speed must be at most "));
+                 "at line_speed = 1, or line_speed at most "));
   shear = case_2();
   shear.acceleration_length = 0.1;
   EXPECT_THAT(refusal(shear), StartsWith("acceleration_length = 0.1: must be at least 0.1875"));
@@ -304,9 +304,9 @@ TEST(FlyingShear, NamesWhatBinds) {
   shear = case_2();
   shear.limits.jerk = 100;
   shear.return_law = Law::simple_sine;  // its acceleration steps
-  EXPECT_THAT(refusal(shear), StartsWith("return_law = simple_sine: breaks limits.jerk at any"));
+  EXPECT_THAT(refusal(shear), StartsWith("return_law = simple_sine: exceeds limits.jerk at any"));
   shear.ramp = Law::line;
-  EXPECT_THAT(refusal(shear), StartsWith("ramp = line: breaks limits.jerk at any speed"));
+  EXPECT_THAT(refusal(shear), StartsWith("ramp = line: exceeds limits.jerk at any speed"));
   shear = case_2();
   shear.sync_time.reset();
   EXPECT_THAT(refusal(shear), StartsWith("sync_time"));

@@ -273,8 +273,8 @@ TEST(FollowPlan, RejectsContradictions) {
       "zone[2].ratio = 2: must be 1, the ratio that the slave has there: let it reach the new "
       "ratio before this zone");
   EXPECT_EQ(text({.zones = {{0, 50, 1, 3}}}),
-            "zone[1].slave = 3: must be 0, the position that the slave has there: leave it out, or "
-            "change the previous point or zone");
+            "zone[1].slave = 3: must be 0, the position that the slave has there: leave slave "
+            "out, or change the previous point or zone");
   EXPECT_EQ(text({.points = {{20, 30}, {30, 35}}, .zones = {{10, 40, 1}}}),
             "point[2].slave = 35: must be 40, the position of the slave in zone 1 at master = 30 "
             "(zone[1].from = 10, zone[1].to = 40): correct the master, or leave the point out");

@@ -169,7 +169,7 @@ TEST(Follow, Example79MisprintIsNamed) {
   EXPECT_THAT(
       f->advice,
       HasSubstr("the master travels 220000, 11 times as far as in the other segments, where the "
-                "master travels 20000: check it"));
+                "master travels 20000: check this number"));
   EXPECT_TRUE(f->advice.ends_with("end at the ratio 0.6")) << "the advice omits the consequence";
 }
 

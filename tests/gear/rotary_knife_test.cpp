@@ -350,13 +350,13 @@ TEST(RotaryKnife, RejectsInputThatCannotBeCut) {
   RotaryKnifeSpec spec = case_y();
   spec.cut_length = 0.26;
   EXPECT_EQ(refusal(spec),
-            "cut_length = 0.26: must be longer than the sync zone on the web, 0.2618: shorten the "
-            "sync zone (sync_angle must be less than 0.173333), or cut longer");
+            "cut_length = 0.26: must be longer than the sync zone on the web, 0.2618: raise "
+            "cut_length, or shorten the sync zone (sync_angle must be less than 0.173333)");
   spec.cut_length = 4;  // the sync zone of the angle between two blades is 4.712 long
   spec.sync_angle = 7;
   EXPECT_EQ(refusal(spec),
             "sync_angle = 7: must be less than 2.66666, the angle of a sync zone as long as "
-            "cut_length: give a smaller angle, or cut longer");
+            "cut_length: give a smaller angle, or raise cut_length");
   for (const auto matching : {KnifeMatching::surface, KnifeMatching::horizontal}) {
     spec.matching = matching;
     spec.cut_length = 2;

@@ -203,7 +203,8 @@ TEST(Gcode, RejectsEverythingElseWithItsPlace) {
   EXPECT_THAT(complaint("G0 G1 X2\n"), HasSubstr("part.ngc:1:4: G1: contradicts"));
   EXPECT_THAT(complaint("G1 X#1\n"), HasSubstr("part.ngc:1:4: \"X#\": needs a number after X"));
   EXPECT_THAT(complaint("G1 X1.2.3\n"), HasSubstr("part.ngc:1:8: \".\": is not a G-code word"));
-  EXPECT_THAT(complaint("G1 A5\n"), HasSubstr("part.ngc:1:4: A5: is the position of an axis"));
+  EXPECT_THAT(complaint("G1 A5\n"),
+              HasSubstr("part.ngc:1:4: A5: moves an axis that the machine does not have"));
   EXPECT_THAT(complaint("G1 X1 (open\n"),
               HasSubstr("part.ngc:1:7: \"(open\": is a comment without its closing )"));
   EXPECT_THAT(

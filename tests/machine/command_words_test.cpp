@@ -258,7 +258,7 @@ TEST(CommandWords, CoordinatesHaveTheNamesOfTheAxes) {
   EXPECT_EQ(wrong("move-linear", {}, {{"to", "x=1,2"}}),
             "--to = x=1,2: has coordinates with and without a name: name all of them, or none");
   EXPECT_EQ(wrong("move-linear", {"x=1"}, {{"to", "5"}}),
-            "VALUE = x=1: cannot be combined with --to");
+            "VALUE = x=1: cannot be combined with --to: give one of the two");
   EXPECT_EQ(wrong("move-linear", {"x=1"}, {{"by", "5"}}),
             "VALUE = x=1: cannot be combined with --by: use --by x=1");
   EXPECT_EQ(wrong("wait", {"1", "2"}),
@@ -385,7 +385,7 @@ TEST(CommandWords, ATouchProbeHasItsInputEdgeAndWindow) {
   EXPECT_EQ(all.last_position, 50);
   EXPECT_EQ(probe("index", {}).input, index_input);
   EXPECT_EQ(test::rule_of([&] { probe("", {}); }),
-            "is missing: give the trigger input, 1 to 4, home or index");
+            "is missing: give a trigger input: 1 to 4, home or index");
   EXPECT_EQ(test::rule_of([&] { probe("7", {}); }),
             "must be a trigger input: 1 to 4, home or index");
   EXPECT_EQ(test::key_of([&] { probe("1", {{"edge", "up"}}); }), "--edge");
@@ -408,7 +408,9 @@ TEST(CommandWords, WordsOfAnotherVerbAreNamed) {
             "is an option of a verb: did you mean jounce stop feeder --abort?");
   EXPECT_EQ(meant_command("enable", "feeder"),
             "is not a command: did you mean jounce order feeder enable?");
-  EXPECT_EQ(meant_command("feeder", "jump"), "");
+  EXPECT_EQ(meant_command("feeder", "jump"),
+            "is not a command: `jounce order --help` lists all, such as move, jog and home");
+  EXPECT_EQ(meant_command("feeder", "mov"), "") << "one_of() names the near word";
 }
 
 }  // namespace

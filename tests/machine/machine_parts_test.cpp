@@ -81,11 +81,20 @@ TEST_F(MachineParts, TheCheckOfASpecRejectsWhatTheRunRejects) {
   EXPECT_NO_THROW(require_axis(read_spec(axis("feeder"))));
 }
 
+TEST_F(MachineParts, TheDefaultStartIsInsideTheLimits) {
+  EXPECT_THAT(
+      test::error_of([&] { machine_parts({.files = {axis("feeder", "position_min = 5\n")}}); }),
+      testing::HasSubstr("limits.position_min = 5 mm: must be at most 0, the start position "
+                         "of the axis: change the limit, or add position to [axis]"));
+}
+
 TEST_F(MachineParts, TheCheckOfAMachineRejectsWhatTheRunRejects) {
   (void)axis("feeder");
   (void)axis("knife");
   for (const auto& [more, key] :
        {std::pair{"follow = { axis = \"feder\" }\n", "did you mean feeder?"},
+        {"follow = { axis = \"quick\" }\n",
+         "is not an axis of this machine, which has feeder, knife: add the axis, or correct"},
         {"follow = { master = \"line\" }\n", "is not a master of this machine"},
         {"follow = { axes = \"feeder\" }\n",
          "follow.axes = \"feeder\": is not a key here: did you mean axis?"},

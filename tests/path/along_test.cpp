@@ -271,7 +271,7 @@ TEST(Records, ANoteHasSixDigitsAndUnits) {
   ASSERT_EQ(corners.size(), 1u);
   EXPECT_EQ(
       explain(corners[0], "mm"),
-      "Rounding within a deviation of 0.0333333 mm takes longer than stopping: the plan stops "
+      "Rounding within a deviation of 0.0333333 mm takes longer than a stop: the motion stops "
       "here.");
   EXPECT_EQ(corners[0].text, explain(corners[0]));
 }

@@ -527,7 +527,7 @@ TEST(Fill, NamesTheRejectedValue) {
   EXPECT_EQ(complaint(spec), "rule = quintic_hermite: monotone velocities need cubic_hermite");
   spec = good;
   spec.filling = Filling::within_limits;
-  EXPECT_NE(complaint(spec).find("are needed for within_limits"), std::string::npos);
+  EXPECT_NE(complaint(spec).find("are missing: within_limits needs a limit"), std::string::npos);
   spec = good;
   spec.filling = Filling::periodic;
   spec.v = {1, {}, 2};

@@ -541,8 +541,7 @@ TEST(Reduced, KeepsAnAxisInSync) {
 TEST(Reduced, ReportsHowManyKnotsItsDwellsNeed) {
   const std::string text =
       refusal(up_and_down(), {.rule = Interpolation::linear, .most = 3, .x_step = 1, .p_step = 1});
-  EXPECT_NE(text.find("must be at least 4 for a linear table: both ends of "),
-            std::string::npos)
+  EXPECT_NE(text.find("must be at least 4 for a linear table: both ends of "), std::string::npos)
       << text;
   const std::string both = refusal(up_and_down(), {.tolerance = 1, .most = 3});
   EXPECT_NE(both.find("table within the tolerance: both ends of the dwell or straight line of the "
@@ -595,7 +594,7 @@ TEST(Reduced, ReportsASufficientTolerance) {
 
 TEST(Reduced, RejectsWhatCannotBe) {
   const Cam sawtooth({line(1, 0, 1), line(1, 0, 1)});
-  EXPECT_NE(refusal(sawtooth, {.tolerance = 1e-3}).find("at 1"), std::string::npos);
+  EXPECT_NE(refusal(sawtooth, {.tolerance = 1e-3}).find("at master 1"), std::string::npos);
   EXPECT_NE(refusal(cycloid(), {}), "");
   EXPECT_NE(refusal(cycloid(), {.tolerance = 0.0}), "");
   EXPECT_NE(refusal(cycloid(), {.most = 1}), "");

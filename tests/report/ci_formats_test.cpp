@@ -53,14 +53,15 @@ TEST(CiFormats, TheSummaryOfAFileWithoutAMotionStatesIt) {
   EXPECT_EQ(summary_line({"check", {{"d.toml", "drive", {}}}}),
             "1 file: 1 good: its keys are valid; the kind drive has no motion to examine");
   EXPECT_EQ(summary_line({"check", {{"c.toml", "cam", {}}}}), "1 file: 1 good");
-  EXPECT_EQ(summary_line({"check", {{"c.toml", "cam", {}}}, 3}),
-            "1 file: 1 good; 3 controller files not checked: name each of them, with --against "
-            "SPEC");
-  EXPECT_EQ(summary_line({"validate", {{"c.toml", "cam", {}}}, 1}),
-            "1 file: 1 good; 1 controller file not checked: name it");
   EXPECT_EQ(
-      summary_line({"check", {{"c.toml", "cam", {}}}, 0, 2}),
-      "1 file: 1 good; 2 G-code programs not checked: name each of them, with --machine SPEC");
+      summary_line({"check", {{"c.toml", "cam", {}}}, 3}),
+      "1 file: 1 good; 3 controller files not checked: give each file by its name, with --against "
+      "SPEC");
+  EXPECT_EQ(summary_line({"validate", {{"c.toml", "cam", {}}}, 1}),
+            "1 file: 1 good; 1 controller file not checked: give this file by its name");
+  EXPECT_EQ(summary_line({"check", {{"c.toml", "cam", {}}}, 0, 2}),
+            "1 file: 1 good; 2 G-code programs not checked: give each file by its name, with "
+            "--machine SPEC");
 }
 
 TEST(CiFormats, TextIsWhatCompilersPrint) {

@@ -123,7 +123,7 @@ TEST(DriveSpec, RejectsWithPlaceAndRule) {
   EXPECT_THAT(refused(model + "[drive.motor]\ninertia = -1\n"),
               HasSubstr("a.toml:13:11: drive.motor.inertia = -1 kg m^2: must be greater than 0"));
   EXPECT_THAT(refused(model + "[[drive.mass]]\n[[drive.mass]]\ninertia = 1\nbacklash = 1\n"),
-              HasSubstr("drive.mass[2].backlash = 1 rad: needs a stiffness"));
+              HasSubstr("drive.mass[2].backlash = 1 rad: needs stiffness"));
   EXPECT_THAT(refused(model + "[drive.motor]\ninertia = \"1 N m\"\n"), HasSubstr("kg m^2"));
   EXPECT_THAT(refused(model + "[drive.motor]\ninertai = 1\n"), HasSubstr("did you mean inertia?"));
   EXPECT_THAT(refused(model + "[drive.limits]\ncurrent = 1\n"),

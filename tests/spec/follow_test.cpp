@@ -79,7 +79,7 @@ TEST(FollowSpecFile, ReportsWhenItBeginsOrThatItNeverDoes) {
   const Report too_short = check_follow(parse_spec(text("{ position = 50000 }", "2000"), "f"));
   ASSERT_EQ(too_short.findings.size(), 1U);
   EXPECT_TRUE(too_short.findings[0].broken);
-  EXPECT_THAT(too_short.findings[0].advice, HasSubstr("never passes master 50000"));
+  EXPECT_THAT(too_short.findings[0].advice, HasSubstr("never passes 50000 deg"));
 }
 
 TEST(FollowSpecFile, ErrorsNameTheirPlace) {
@@ -109,8 +109,8 @@ TEST(FollowSpecFile, ErrorsNameTheirPlace) {
   EXPECT_EQ(
       error_of("[follow]\nform = \"smooth\"\nperiodic = true\n[[point]]\nmaster = 1\nslave = 1\n"
                "[[zone]]\nfrom = 0\nto = 1\nratio = 1\n[[segment]]\nmaster = 1\nslave = 1\n"),
-      "f.toml:14:1: [[segment]]: cannot be combined with [[point]] and [[zone]]: leave out the "
-      "one or the other");
+      "f.toml:14:1: [[segment]]: cannot be combined with [[point]] and [[zone]]: leave it out, "
+      "or remove these sections");
   EXPECT_EQ(
       error_of("[follow]\nlaw = \"quintic\"\n[[segment]]\nmaster = 1\nslave = 1\n"),
       "f.toml:5:7: follow.law = \"quintic\": applies only to [[point]] and [[zone]]: leave it "

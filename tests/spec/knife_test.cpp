@@ -74,7 +74,8 @@ TEST(KnifeSpec, RejectsInTheDocumentsWords) {
   EXPECT_EQ(
       refusal("deg", "cut_length = 0.2\nsync_angle = 10\n"),
       "k.toml:6:14: knife.cut_length = 0.2 in: must be longer than the sync zone on the web, "
-      "0.2618 in: shorten the sync zone (sync_angle must be less than 7.63943 deg), or cut longer");
+      "0.2618 in: raise cut_length, or shorten the sync zone (sync_angle must be less than 7.63943 "
+      "deg)");
   EXPECT_EQ(refusal("pulse", "cut_length = 4.71\nsync_angle = 10\n"),
             "k.toml:4:1: knife.turn: is missing: add turn = NUMBER, one revolution in pulse");
   EXPECT_THAT(refusal("deg", "cut_length = 4\n"), HasSubstr("knife.sync_angle: is missing"));
@@ -93,7 +94,8 @@ TEST(KnifeSpec, ReportsAReversalWithItsRemedy) {
   EXPECT_EQ(worst.rule, "knife/reversal");
   EXPECT_NEAR(worst.where, 12.5, 1e-6);
   EXPECT_EQ(worst.advice,
-            "cut lengths above 19.8968 in need a stop between the cuts: set dwell = true");
+            "cut lengths above 19.8968 in need a stop between the cuts: add dwell = true to "
+            "[knife]");
   EXPECT_EQ(sentence_over(worst, "in"), "the knife reverses at 12.5 in");
   EXPECT_TRUE(check_sync(spec("deg", "cut_length = 25\nsync_angle = 10\ndwell = true\n")).ok());
 }

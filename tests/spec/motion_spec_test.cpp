@@ -632,7 +632,7 @@ INSTANTIATE_TEST_SUITE_P(
                   "a.toml:6:7: move.pos = 5000000000: must be between -1 073 741 823 and "
                   "1 073 741 823"},
         BadMotion{move_spec("profile = \"googol_jog\"\nacc = 1", "", pulse_ms),
-                  "a.toml:4:1: move.velocities = none: a jog needs at least one"},
+                  "a.toml:4:1: move.velocities: is missing: a jog needs at least one velocity"},
         BadMotion{move_spec(agito_lines, "", "position = \"um\", time = \"ms\""),
                   "a.toml:3:35: units.time = \"ms\": must be s for the profiles of Agito"},
         BadMotion{move_spec(agito_lines + "jerk = 10"),

@@ -204,9 +204,9 @@ TEST(LineAtASpeed, DefinesItsEnd) {
 TEST(LineAtASpeed, IsNotMovedByFreeKnots) {
   const std::string line = "master = 84, velocity = 300";
   EXPECT_EQ(complaint(with_line(line, "free = { master = [80, 90] }\n")),
-            "a.toml:11:7: segment[2].end.slave: follows from the velocity of the line, but the "
-            "line or one of its knots is free: give slave, or move the line with "
-            "[[optimize.parameter]] instead of free");
+            "a.toml:11:7: segment[2].end.slave: is missing: it follows from the velocity of the "
+            "line only if neither the line nor its knots are free. Add slave = NUMBER, or replace "
+            "free with [[optimize.parameter]]");
 }
 
 // ---- laws and units ----------------------------------------------------------------------------

@@ -65,7 +65,8 @@ TEST_F(PointFile, IsNamedWithTheLineOfAMistake) {
               "points.csv:1: speed: is not a column of this table; possible columns: time, "
               "position, velocity");
   EXPECT_THAT(complaint(pvt + "knot = []\n", "time,position,velocity\n0,0,0\n"),
-              "spec.toml:4:10: points = \"points.csv\": cannot be combined with [[knot]]");
+              "spec.toml:4:10: points = \"points.csv\": cannot be combined with [[knot]]: give one "
+              "of the two");
   EXPECT_EQ(complaint(pvt, "time [s],position,velocity\n\n0,0,0\n"),
             "points.csv:3: is the only point of the file: a table needs at least two");
   EXPECT_THAT(complaint(pvt, "time [mm],position,velocity\n0,0,0\n1,1,0\n"),

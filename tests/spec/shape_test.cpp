@@ -215,7 +215,7 @@ TEST(Load, RejectsWhatItCannotMean) {
   EXPECT_THAT(complaint("torque = 0.2\nforce = 10\nwinding_loss = 0.8\n[optimize]\nminimize = "
                         "[\"rms torque\"]",
                         "coulomb = 1\n[optimize]\nminimize = [\"peak power\"]"),
-              testing::HasSubstr("a load with coulomb or lever"));
+              testing::HasSubstr("is not possible with coulomb or lever in [load]"));
 }
 
 TEST(ShapeFigures, OfADriveAreKnownByNameAndAskForOne) {
@@ -358,7 +358,7 @@ TEST(FreeShapes, RejectWhatMakesNoSense) {
             "a corridor needs a lower bound, an upper bound or a value"},
         Bad{"[\"rms torque\"]",
             "[\"rms torque\"]\ncorridor = [{ from = 1, to = 2, lower = 3, upper = 2 }]",
-            "must not be above the upper bound"},
+            "must not be above upper = 2"},
         Bad{"[\"rms torque\"]", "[\"rms torque\"]\ncorridor = [{ at = 300, lower = 3 }]",
             "optimize.corridor[1].at = 300 deg: must lie in a segment with a free shape: 0 to 240"},
         Bad{"[\"rms torque\"]", "[\"rms torque\"]\nbudget = \"-1 s\"",

@@ -91,19 +91,21 @@ TEST(ShearSpec, ErrorsStandWhereTheUserWroteThem) {
               StartsWith("s.toml:5:14: shear.cut_length = 1000 mm: must be at least "
                          "1113.8"));
   EXPECT_THAT(refusal(power7),
-              HasSubstr("; at this cut_length, line_speed must be at most 940.716 mm/s"));
-  EXPECT_THAT(refusal(power7), HasSubstr("a shorter return would break limits.slave.acceleration"));
+              HasSubstr(", or line_speed at most 940.716 mm/s with this cut_length"));
+  EXPECT_THAT(refusal(power7),
+              HasSubstr("a shorter return would exceed limits.slave.acceleration"));
   EXPECT_THAT(
       refusal(spec("cut_length = 1000\nline_speed = 3000\nsync_time = 0.15")),
-      StartsWith("s.toml:6:14: shear.line_speed = 3000 mm/s: must be at most 2000 mm/s: otherwise "
-                 "the carriage in the sync zone is faster than limits.slave.velocity = 2000 "
+      StartsWith("s.toml:6:14: shear.line_speed = 3000 mm/s: must be at most 1019.76 mm/s with "
+                 "this cut_length, and at most 2000 mm/s with any: at a higher speed, the carriage "
+                 "in the sync zone exceeds limits.slave.velocity = 2000 "
                  "mm/s"));
   EXPECT_THAT(
       refusal(spec("cut_length = 1000\nline_speed = 1000\nsync_time = 0.6\nstroke = 400")),
       HasSubstr(
           "must be at least 787.5 mm, of which run-up and braking take 187.5 mm, at line_speed = "
-          "1000 mm/s, with cut_length greater than 1713.29 mm; at this stroke, line_speed "
-          "must be at most 566.41 mm/s"));
+          "1000 mm/s, with cut_length greater than 1713.29 mm, or line_speed at most "
+          "566.41 mm/s with this stroke"));
   EXPECT_THAT(refusal(spec("cut_length = 9\nline_speed = 1\nsync_time = 1", "deg")),
               HasSubstr("shear.ratio: is missing: add ratio = NUMBER, in mm/deg: the travel of the "
                         "carriage per deg of the line in the sync zone"));

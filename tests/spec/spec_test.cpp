@@ -136,8 +136,9 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{cam, "kind = \"cam\"", "kind = \"cma\"",
             "a.toml:2:8: kind = \"cma\": is unknown: did you mean \"cam\"?"},
         Bad{cam, "\"deg\"", "\"degrees\"",
-            "a.toml:3:20: units.master = \"degrees\": is not a known unit; known are mm, m, um, "
-            "cm, in, deg, rad, rev, pulse, count, inc, s, ms, us, ns, min, h and their products"},
+            "a.toml:3:20: units.master = \"degrees\": is not a unit of a master: give an angle "
+            "(deg rad rev), a length (m mm um cm in), pulse, count or inc, or a time (s ms) for a "
+            "virtual master"},
         Bad{cam, "position = \"mm\"", "position = 3",
             "a.toml:3:38: units.position = 3: must be a string in quotes"},
         Bad{cam, "slave = 50", "slave = \"50 deg\"",
@@ -165,8 +166,8 @@ INSTANTIATE_TEST_SUITE_P(
             "a.toml:6:7: segment[1].law = \"modified_sin\": is unknown: did you mean "
             "\"modified_sine\"?"},
         Bad{cam, "\"quintic\"", "\"dwell\"",
-            "a.toml:7:31: segment[1].end.slave = 50 mm: must be 0, the start of this dwell: change "
-            "it, or take another law"},
+            "a.toml:7:31: segment[1].end.slave = 50 mm: must be 0, the position where this dwell "
+            "starts: change one of the two, or the law"},
         Bad{cam, "geo_velocity = 1", "geo_velocty = 1",
             "a.toml:9:1: limits.geo_velocty = 1: is not a key here: did you mean "
             "geo_velocity?"},

@@ -87,7 +87,8 @@ TEST(TargetSpec, TakesThePulseOfAControllerInTheUnitOfTheMaster) {
 }
 
 TEST(TargetSpec, ReportsErrorsInTheDocument) {
-  EXPECT_THAT(complaint(cam_with("controller = \"hmpl_pvt\"\n")), HasSubstr("a table over time"));
+  EXPECT_THAT(complaint(cam_with("controller = \"hmpl_pvt\"\n")),
+              HasSubstr("is for tables over time"));
   EXPECT_THAT(complaint(cam_with("knots = \"even\"\nmost = 5\n")),
               HasSubstr("needs knots = \"fewest\""));
   EXPECT_THAT(complaint(cam_with("intervals = 9\nmost = 5\n")), HasSubstr("give one of the two"));

@@ -110,7 +110,7 @@ TEST(PtSpec, RejectsExample74AsPrinted) {
       "point = [{time = 0.016, position = 40.1447}]\n[pt]\ncontroller = \"googol\"\n";
   EXPECT_EQ(message(googol(printed)),
             "t.toml:4:18: point[1].time = 0.016 ms: must be a whole number of ms: GT_PtData "
-            "converts it to a long, here 0, and the table would never advance");
+            "would take 0 ms, and the table would never advance");
   EXPECT_THAT(message(pmc600(printed)), HasSubstr("units.position = \"mm\": must be pulse"));
   EXPECT_THAT(
       message(googol("[pt]\ncontroller = \"googol\"\n[[point]]\ntime = 1\nposition = 1\ntype = "

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
@@ -72,10 +73,10 @@ LiveCompensation::LiveCompensation(const AxisCompensation& spec, double modulo)
   if (*own_ >= table_.references())
     throw InputError("own", std::to_string(*own_), "must be the index of a reference");
   if (const double slope = slope_along(table_, *own_); slope > most_slope)
-    throw InputError(
-        "values", slope,
-        "is the change of the correction per unit of the position; it must be at most " +
-            number(most_slope));
+    throw InputError("values", "",
+                     "change by up to " + six_digits(slope) +
+                         " times the distance of the points; at most " + six_digits(most_slope) +
+                         " times is permitted: lower the values, or raise interval");
   if (modulo != 0) require_closed(spec.table, *own_, modulo);
 }
 

@@ -14,7 +14,8 @@ Outputs::Outputs(const AxisSwitches& switches, const AxisCompare& compare)
       compare_of_(compare.of) {
   if (compare.plane && has_switches_)
     throw InputError("plane", "",
-                     "cannot be combined with cam switches: their outputs are the same");
+                     "cannot be combined with cam switches, whose outputs are the same: leave one "
+                     "of the two out");
   if (compare.plane) plane_.emplace(*compare.plane);
   if (!compare.list) return;
   if (compare.of == SwitchesOf::master)

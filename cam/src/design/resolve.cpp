@@ -145,8 +145,10 @@ void Resolver::require_whole_turns() const {
   const double period = *spec_.slave_period;
   require_positive("slave_period", period);
   if (!spec_.periodic)
-    throw InputError("slave_period", period,
-                     "needs a periodic cam on a rotary slave; this cam is not periodic");
+    throw InputError(
+        "slave_period", period,
+        "needs a periodic cam on a rotary slave; this cam is not periodic: add periodic = true, or "
+        "leave slave_period out");
   const double advance = knots_.back().slave - knots_.front().slave;
   const double turns = std::round(advance / period);
   const double scale = std::max(std::abs(knots_.back().slave), std::abs(knots_.front().slave));
@@ -228,9 +230,10 @@ void Resolver::fail_step(std::size_t knot, double before, double demanded,
 void Resolver::demand(std::size_t i) {
   const Ends ends = info(law(i)).ends;
   if (ends == Ends::standing && knots_[i].slave != knots_[i + 1].slave)
-    throw InputError(key_of(i + 1, "slave"), knots_[i + 1].slave,
-                     "must be " + number(knots_[i].slave) +
-                         ", the start of this dwell: change it, or take another law");
+    throw InputError(
+        key_of(i + 1, "slave"), knots_[i + 1].slave,
+        "must be " + number(knots_[i].slave) +
+            ", the position where this dwell starts: change one of the two, or the law");
   const double slope = chord(i);
   const double velocity = ends == Ends::straight ? slope : 0;
   for (std::size_t k = i; k <= i + 1; ++k) {

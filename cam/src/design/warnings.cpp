@@ -152,8 +152,10 @@ class Inspection {
     const auto from_to = [](double a, double b) {
       return six_digits(std::min(a, b)) + " to " + six_digits(std::max(a, b));
     };
-    std::string text = "the slope of its moving end, times its length, divided by its stroke is " +
-                       six_digits(*k * g.length / h) + ", but must be 5/3 to 5/2: use ";
+    std::string text =
+        "a quintic overshoots unless slope of the moving end * length / stroke is "
+        "5/3 to 5/2, here " +
+        six_digits(*k * g.length / h) + ": use ";
     if (!repeats(cam_.outside()) || rho_most * h / *k < cam_.length())
       text += "a length from " + from_to(rho_least * h / *k, rho_most * h / *k) + ", or ";
     return text + "a stroke from " + from_to(*k * g.length / rho_most, *k * g.length / rho_least);

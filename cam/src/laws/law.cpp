@@ -241,7 +241,7 @@ std::vector<Segment> inflected(const std::vector<Segment>& rise, double lambda) 
 
 [[noreturn]] void refuse(const char* key, const std::string& value, Law law) {
   throw InputError(key, value,
-                   std::string("the law `") + name(law) + "` has no parameter of this name");
+                   std::string("does not apply to the law `") + name(law) + "`: leave it out");
 }
 
 std::vector<Segment> rise(Law law, const LawForm& form) {

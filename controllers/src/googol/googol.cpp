@@ -139,7 +139,8 @@ Profile jog(const MotionState& from, double vel, const Jog& parameters) {
 }
 
 Trajectory jog(double from, std::span<const JogVelocity> velocities, const Jog& parameters) {
-  if (velocities.empty()) throw InputError("velocities", "none", "a jog needs at least one");
+  if (velocities.empty())
+    throw InputError("velocities", "", "is missing: a jog needs at least one velocity");
   require_finite("velocities[1].vel", velocities[0].vel);
   if (velocities[0].vel == 0)
     throw InputError("velocities[1].vel", 0, "must not be 0: nothing moves before it");

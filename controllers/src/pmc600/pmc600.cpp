@@ -111,7 +111,9 @@ double end_velocity(const char* key, double v, double velocity) {
 void require_distance(const char* key, double from, double to) {
   require_finite("from", from);
   require_finite(key, to);
-  if (from == to) throw InputError(key, to, "must differ from where the move begins");
+  if (from == to)
+    throw InputError(
+        key, to, "must differ from the position where the move begins: otherwise nothing moves");
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ Trajectory jog(double from, std::span<const JogInput> inputs, const Dynamics& dy
                std::optional<double> max_velocity) {
   require_positive("velocity", dynamics.velocity);
   if (max_velocity) require_positive("max_velocity", *max_velocity);
-  if (inputs.empty()) throw InputError("inputs", "none", "a jog needs at least one");
+  if (inputs.empty()) throw InputError("inputs", "", "is missing: a jog needs at least one");
   const double velocity = std::min(dynamics.velocity, max_velocity.value_or(dynamics.velocity));
   const double first = wanted(inputs[0], velocity);
   if (first == 0)

@@ -88,8 +88,9 @@ class CamAdvice {
       raised = "raise the limit to at least " + words_.of(Words::rounded_up(least), order);
     }
     return fmt::format(
-        "the segments {} need {} together, and the cam has {} for them, dwells included: {}", names,
-        words_.at_least(needed), words_.x(left), raised);
+        "together, the segments {} need {}, but only {} of the cam, dwells included, are left for "
+        "them: {}",
+        names, words_.at_least(needed), words_.x(left), raised);
   }
 
   [[nodiscard]] std::string text_of(const Finding& f, std::size_t order,

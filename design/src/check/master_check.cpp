@@ -150,8 +150,8 @@ Finding acceleration_finding(const Cam& cam, const Spec& spec) {
   f.broken = true;
   f.unit = master_rate_unit(spec, 2);
   f.advice = fmt::format(
-      "the slave reaches limits.slave.{} at any speed of the master: lower acceleration in "
-      "[master] to at most {} {}{}",
+      "while the master accelerates, the slave exceeds limits.slave.{} even at low speed: lower "
+      "acceleration in [master] to at most {} {}{}",
       limit.quantity, six_digits_down(most.acceleration), f.unit,
       most.velocity < spec.master->velocity
           ? ", and velocity to at most " + speed_text(most.velocity, spec)

@@ -42,10 +42,10 @@ std::string advice_for_end(const Finding& end, const Input& input, const EngageS
            "a slave at rest jumps to this speed: let the cam begin at rest, or bring the slave in "
            "with [coupling] start = \"ramp_in\"";
   if (is_in_gear(input))
-    return motion + "with a live master, it stays in gear after the end of its table";
+    return motion + "with a live master, the slave stays in gear after the end of its table";
   return motion +
-         "with a live master, it brakes there within the limits of its axis, or keeps its velocity "
-         "with `stream --keep-velocity`: let the cam end at rest, or repeat";
+         "with a live master, the slave brakes there within the limits of its axis, or keeps its "
+         "velocity with `stream --keep-velocity`: let the cam end at rest, or repeat";
 }
 
 std::string advice_at_edge(const Input& input, const Finding& step) {

@@ -179,11 +179,27 @@ void choose_rule(const Spec& spec, const Trajectory& curve, TableOptions& option
     options.tolerance = linear_table * (travel.max.value - travel.min.value);
 }
 
-/// The table of an axis. An error has the key of the table of this axis.
+/// The key of [[segment]], [[command]], [[point]] or [[knot]] with the number in the name of a
+/// segment; "" if the spec has none.
+std::string key_of_segment(const Spec& spec, const std::vector<std::string>& names,
+                           std::size_t segment) {
+  const std::string name = segment < names.size() ? names[segment] : "";
+  const std::string number = name.substr(0, name.find_first_not_of("0123456789"));
+  for (const char* list : {"segment", "command", "point", "knot"}) {
+    std::string key = std::string(list) + "[" + number + "]";
+    if (spec.document.places.contains(key)) return key;
+  }
+  return "";
+}
+
+/// The table of an axis. An error has the key of the table of this axis, or of the segment, which has
+/// its number in `names`.
 Sampled table_of_axis(const Spec& spec, const Trajectory& curve, const AxisPart& part,
-                      std::size_t i) {
+                      std::size_t i, const std::vector<std::string>& names) {
   try {
     return table_of(curve, part.table, {part.limits});
+  } catch (const design_detail::Unresolved& error) {
+    throw spec_detail::renamed(error, key_of_segment(spec, names, error.segment()));
   } catch (const InputError& error) {
     const std::string own = "axis[" + std::to_string(i + 1) + "]." + error.key();
     throw spec_detail::renamed(error, spec.document.units.contains(own) ? own : error.key());
@@ -203,7 +219,8 @@ std::vector<Made> make_motions(const Spec& spec) {
   std::vector<Made> all;
   for (std::size_t i = 0; i < curves.size(); ++i) {
     choose_rule(spec, curves[i], parts[i].table);
-    Sampled table = table_of_axis(spec, curves[i], parts[i], i);
+    std::vector<std::string> names = names_after(spec, curves[i], before.names_of(i));
+    Sampled table = table_of_axis(spec, curves[i], parts[i], i, names);
     table.error.position += fits[i][0];
     table.error.velocity += fits[i][1];
     if (!before.path.names.empty()) {
@@ -229,8 +246,8 @@ std::vector<Made> make_any(const Spec& spec) {
   if (std::holds_alternative<AxisSpec>(spec.subject))
     throw InputError(
         "kind", "\"axis\"",
-        "is an axis, which has no table: `jounce check` checks it, and `jounce run` runs "
-        "it; compare two of them as texts");
+        "is an axis, which has no table: use it with `jounce check` and `jounce run`. To compare "
+        "two axes, compare their texts");
   if (std::holds_alternative<DriveAlone>(spec.subject))
     throw InputError("kind", "\"drive\"",
                      "is a drive, which has no table: use it with `jounce identify`");
@@ -407,7 +424,8 @@ CamProblem make_problem(const Spec& spec) {
   if (spec.polydyne)
     throw spec.document.located(InputError(
         "polydyne", "",
-        "cannot be combined with [optimize], because its knots describe the motion of the load"));
+        "cannot be combined with [optimize], because its knots describe the motion of the load: "
+        "leave one of the two out"));
   CamProblem problem{
       .cam = *cam, .free = spec.optimize.free, .limits = {}, .minimize = spec.optimize.minimize};
   problem.options.seed = spec.optimize.seed.value_or(problem.options.seed);

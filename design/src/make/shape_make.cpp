@@ -78,7 +78,9 @@ void refuse_figures_of_a_drive(const ShapeSpec& shape) {
 
 CamShapeProblem problem_of(const Spec& spec, bool against_a_drive) {
   const ShapeSpec& shape = spec.optimize.shape;
-  if (spec.polydyne) throw InputError("polydyne", "", "cannot be combined with free shapes");
+  if (spec.polydyne)
+    throw InputError("polydyne", "",
+                     "cannot be combined with free shapes: leave one of the two out");
   CamShapeProblem problem;
   problem.cam = design_detail::cam_of(spec);
   problem.shapes = shape.shapes;

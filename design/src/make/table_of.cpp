@@ -2,6 +2,7 @@
 #include "design/src/make/table_of.hpp"
 
 #include <algorithm>
+#include <string>
 #include <type_traits>
 
 #include "jounce/controllers/table_target.hpp"
@@ -48,6 +49,33 @@ Sampled fewest(const Curve<Over>& curve, Target target, const TableOptions& opti
   }
 }
 
+/// Throws Unresolved for a curve whose shortest segment vanishes beside its longest one.
+template <class Over>
+[[noreturn]] void fail_unresolved(const Curve<Over>& curve) {
+  struct Extreme {
+    std::size_t segment = 0;
+    double start = 0;
+    double length = 0;
+  };
+  Extreme longest;
+  Extreme shortest{0, curve.start(), curve.end() - curve.start()};
+  double start = curve.start();
+  for (std::size_t i = 0; i < curve.segments().size(); ++i) {
+    const Extreme each{i, start, curve.segments()[i].length};
+    if (each.length > longest.length) longest = each;
+    if (each.length < shortest.length) shortest = each;
+    start += each.length;
+  }
+  const auto text = [](const Extreme& each) {
+    return "the segment of the length " + six_digits(each.length) +
+           (std::is_same_v<Over, OverTime> ? ", at the time " : ", at master ") +
+           six_digits(each.start);
+  };
+  throw Unresolved(longest.segment, "no table resolves both " + text(longest) + ", and " +
+                                        text(shortest) +
+                                        ": shorten the first, or lengthen the second");
+}
+
 }  // namespace
 
 /// Makes the table. An error of a knot shows that doubles cannot resolve the curve.
@@ -68,12 +96,7 @@ Sampled table_of(const Curve<Over>& curve, const TableOptions& options, const Ta
     return made(curve, options, limits);
   } catch (const InputError& error) {
     if (!error.key().starts_with("knot[")) throw;
-    double shortest = curve.end() - curve.start();
-    for (const Segment& segment : curve.segments()) shortest = std::min(shortest, segment.length);
-    throw InputError("", "",
-                     "the motion has the length " + six_digits(curve.end() - curve.start()) +
-                         ", and a segment of the length " + six_digits(shortest) +
-                         ": no table resolves both. Raise the lowest velocity or limit");
+    fail_unresolved(curve);
   }
 }
 

@@ -7,6 +7,19 @@
 
 namespace jounce::design_detail {
 
+/// No table resolves both the longest and the shortest segment of a curve.
+class Unresolved : public InputError {
+ public:
+  Unresolved(std::size_t segment, const std::string& rule)
+      : InputError("", "", rule), segment_(segment) {}
+
+  /// Index of the longest segment.
+  [[nodiscard]] std::size_t segment() const { return segment_; }
+
+ private:
+  std::size_t segment_;
+};
+
 /// The limits of a table: those of its derivatives, and those of a slave whose master accelerates.
 struct TableLimits {
   Limits limits = {};

@@ -43,9 +43,11 @@ InputError impossible(const std::string& prefix, const std::string& key, MoveSta
       return *error;
   }
   if (status == MoveStatus::position_limit && to.position < bounds.position_min)
-    return {key, to.position, "must be at least position_min = " + number(bounds.position_min)};
+    return {prefix + "to", to.position,
+            "must be at least position_min = " + number(bounds.position_min)};
   if (status == MoveStatus::position_limit && to.position > bounds.position_max)
-    return {key, to.position, "must be at most position_max = " + number(bounds.position_max)};
+    return {prefix + "to", to.position,
+            "must be at most position_max = " + number(bounds.position_max)};
   return {key, "", explain(status, from, to, bounds)};
 }
 

@@ -119,7 +119,7 @@ std::string notes_text(const PathSummary& s, const Along& units) {
     if (first == s.corners.end()) continue;
     const auto count = std::count_if(first, s.corners.end(), has);
     text += fmt::format("warning: line {}: {}", first->line, explain(*first, units.length));
-    if (count > 1) text += fmt::format(" {} corners in all have this note.", count);
+    if (count > 1) text += fmt::format(" This warning applies to {} places.", count);
     if (count >= many_short_lines && first->note == JunctionNote::short_sides)
       text +=
           " For many short lines, use corner = { average = 0.02 } in [path], with your tolerance.";

@@ -78,6 +78,10 @@ CutMap cut_map(const std::string& path, const CutMapTexts& texts) {
   CutLengths cuts = cut_lengths(spec);
   const double from = positive("from", texts.from, spec.units.x).value_or(cuts.from);
   const double to = positive("to", texts.to, spec.units.x).value_or(cuts.to);
+  if (!(to > from) && texts.to.empty())
+    throw InputError("from", number(from) + " " + spec.units.x,
+                     "must be less than " + rounded(to) + " " + spec.units.x +
+                         ", the default of --to: add --to, or give a lower --from");
   if (!(to > from))
     throw InputError("to", number(to) + " " + spec.units.x,
                      "must be greater than --from = " + number(from) + " " + spec.units.x);

@@ -11,6 +11,7 @@
 #include "jounce/base/units.hpp"
 #include "jounce/design/detail/cut_lengths.hpp"
 #include "jounce/design/make.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/report/report_text.hpp"
 
@@ -43,10 +44,15 @@ Report findings_of(const RotaryKnifeSpec& knife, const Spec& spec) {
   Report report = check(knife);
   for (Finding& f : report.findings) {
     if (f.rule == "knife/contact") f.unit = spec.units.position;
+    if (f.rule == "knife/contact" && f.broken)
+      f.advice = fmt::format(
+          "the blade touches the web before it is in step: raise sync_angle in [knife] to at least "
+          "{} {}",
+          six_digits_up(f.limit), spec.units.position);
     if (f.rule == "knife/reversal" && f.broken)
-      f.advice =
-          fmt::format("cut lengths above {} {} need a stop between the cuts: set dwell = true",
-                      rounded(figures(knife).longest), spec.units.x);
+      f.advice = fmt::format(
+          "cut lengths above {} {} need a stop between the cuts: add dwell = true to [knife]",
+          rounded(figures(knife).longest), spec.units.x);
   }
   return report;
 }

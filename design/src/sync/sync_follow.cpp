@@ -31,10 +31,10 @@ Finding beginning(const FollowStart& start, const Spec& spec) {
   f.margin = t ? 1 : -1;
   f.broken = !t;
   if (!t)
-    f.advice = "it moves from 0 to master " + number(spec.master->distance) +
-               " and never passes master " + number(start.position) +
+    f.advice = "the master moves from 0 to " + number(spec.master->distance) + " " + spec.units.x +
+               ", and never passes " + number(start.position) + " " + spec.units.x +
                (start.direction > 0 ? " forwards" : " backwards") +
-               ": the slave would wait forever; the position is absolute, not a distance";
+               ": the slave would wait forever. The start position is absolute, not a distance";
   return f;
 }
 

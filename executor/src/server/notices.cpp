@@ -160,8 +160,8 @@ std::string missing_part_text(Cause cause, const ExecutorOptions& options) {
                ? "a group has no inputs: send the command to one of its axes"
                : "";
   if (cause == Cause::no_cut_plan && !options.cutter)
-    return "the axis has no cutter: command an axis with one, or add cutter = \"FILE\" (a spec of "
-           "kind knife or shear) to [axis], and the line as [follow]";
+    return "the axis has no cutter: send the command to an axis that has one, or add cutter = "
+           "\"FILE\" (kind knife or shear) to [axis], and [follow] with its line";
   if (cause == Cause::no_trigger_input && !options.drive)
     return "the axis has no drive that reports inputs: add [drive] to its spec, and the input to "
            "[drive.machine] if the drive is simulated";

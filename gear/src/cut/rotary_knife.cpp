@@ -146,7 +146,7 @@ void require_room(const RotaryKnifeSpec& spec, double half, double pitch, double
         key, given,
         "must be less than " + six_digits_down(std::min(pitch, of_cut) * unit) +
             (of_cut < pitch ? ", the angle of a sync zone as long as cut_length: give a smaller "
-                              "angle, or cut longer"
+                              "angle, or raise cut_length"
                             : ", the angle between two blades: give a smaller angle"));
   }
   if (!(2 * half < pitch))
@@ -173,11 +173,11 @@ Knife gear_detail::knife_of(const RotaryKnifeSpec& spec) {
   if (!(spec.cut_length > 2 * sync.length))
     throw InputError("cut_length", spec.cut_length,
                      "must be longer than the sync zone on the web, " +
-                         six_digits_up(2 * sync.length) + ": shorten the sync zone" +
+                         six_digits_up(2 * sync.length) +
+                         ": raise cut_length, or shorten the sync zone" +
                          (spec.sync_angle ? " (sync_angle must be less than " +
                                                 six_digits_down(angle_of_cut(spec) * unit) + ")"
-                                          : "") +
-                         ", or cut longer");
+                                          : ""));
   return {pitch, spec.thickness > 0 ? contact_angle(spec) : 0, sync,
           KnifeShape(normalized(spec.law, spec.form), sync, pitch - 2 * half), unit};
 }

@@ -210,8 +210,7 @@ std::string at_this_speed(const FlyingShear& spec) {
 /// Advice: the fastest possible line with the given value of `key`.
 std::string or_slower(const FlyingShear& spec, const char* key) {
   const double fastest = greatest_line_speed(spec).value;
-  return fastest > 0 ? std::string("; at this ") + key + ", line_speed must be at most " +
-                           six_digits_down(fastest)
+  return fastest > 0 ? ", or line_speed at most " + six_digits_down(fastest) + " with this " + key
                      : "";
 }
 
@@ -248,7 +247,7 @@ std::string and_longer_cut(FlyingShear spec, double stroke) {
       "cut_length", spec.cut_length,
       std::string(longest_sync(spec) || !by_limit ? "must be greater than " : "must be at least ") +
           six_digits_up(least.value) + at_this_speed(spec) + or_slower(spec, "cut_length") +
-          (by_limit ? ": a shorter return would break " + limit_of(quantity)
+          (by_limit ? ": a shorter return would exceed " + limit_of(quantity)
                     : ": no travel of the master is left for the return"));
 }
 
@@ -256,24 +255,27 @@ std::string and_longer_cut(FlyingShear spec, double stroke) {
   const FlyingShear& spec = shear.spec;
   if (quantity == "sync velocity") {
     const double most = *spec.limits.velocity / shear.ratio;
-    const bool lower = greatest_line_speed(spec).value < most * (1 - six_digit_step);
+    const double fastest = greatest_line_speed(spec).value;
+    const bool lower = fastest > 0 && fastest < most * (1 - six_digit_step);
+    const std::string of_cut =
+        lower ? six_digits_down(fastest) + " with this cut_length, and at most " : "";
     throw InputError("line_speed", spec.line_speed,
-                     "must be at most " + six_digits_down(most) +
-                         ": otherwise the carriage in the sync zone is faster than "
+                     "must be at most " + of_cut + six_digits_down(most) +
+                         (lower ? " with any" : "") +
+                         ": at a higher speed, the carriage in the sync zone exceeds "
                          "limits.velocity = " +
-                         number(*spec.limits.velocity) +
-                         (lower ? or_slower(spec, "cut_length") : ""));
+                         number(*spec.limits.velocity));
   }
   if (quantity.starts_with("ramp") && !std::isfinite(cycle.ramp.value))
     throw InputError("ramp", name(spec.ramp),
-                     "breaks " + limit_of(quantity) + " at any speed: the limited quantity steps");
+                     "exceeds " + limit_of(quantity) + " at any speed: the limited quantity steps");
   if (quantity.starts_with("ramp")) {
     const bool up = cycle.accelerate <= cycle.decelerate;
     throw InputError(up ? "acceleration_length" : "deceleration_length",
                      up ? cycle.accelerate : cycle.decelerate,
                      "must be at least " + six_digits_up(cycle.ramp.value) + at_this_speed(spec) +
                          or_slower(spec, up ? "acceleration_length" : "deceleration_length") +
-                         ": a shorter one would break " + limit_of(quantity));
+                         ": a shorter one would exceed " + limit_of(quantity));
   }
   if (quantity == "stroke") {
     const double ramps = shear.ratio * (cycle.accelerate + cycle.decelerate) / 2;
@@ -288,11 +290,11 @@ std::string and_longer_cut(FlyingShear spec, double stroke) {
   }
   if (!std::isfinite(cycle.back.value))
     throw InputError("return_law", name(spec.return_law),
-                     "breaks " + limit_of(quantity) + " at any speed: the limited quantity steps");
+                     "exceeds " + limit_of(quantity) + " at any speed: the limited quantity steps");
   if (spec.return_length && cycle.back.value > *spec.return_length)
     throw InputError("return_length", *spec.return_length,
                      "must be at least " + six_digits_up(cycle.back.value) + at_this_speed(spec) +
-                         or_slower(spec, "return_length") + ": a shorter one would break " +
+                         or_slower(spec, "return_length") + ": a shorter one would exceed " +
                          limit_of(quantity));
   refuse_length(spec, quantity);
 }

@@ -58,17 +58,18 @@ std::string advice(const FollowSpec& spec, std::size_t table, std::size_t i, dou
            six_digits(std::abs(is) / would_be) +
            " times as far as in the other segments, where the " + whose + " travels " +
            six_digits(would_be) +
-           ": check it. With that travel, the segment would end at the ratio " + six_digits(end);
+           ": check this number. With the travel of the others, the segment would end at the "
+           "ratio " +
+           six_digits(end);
   };
   const auto m = usual(spec, table, i, &Travel::master);
   if (is_odd(master, m)) return misprint("master", master, *m, 2 * slave / *m - start);
   const auto s = usual(spec, table, i, &Travel::slave);
   if (is_odd(slave, s))
     return misprint("slave", slave, *s, std::copysign(2 * *s, slave) / master - start);
-  return "from the ratio " + six_digits(start) + ", the slave travels " +
-         six_digits(start * master / 2) + " until it stands, and then " +
-         six_digits(slave - start * master / 2) + " to the point" +
-         ": move the point, or put one where it stands";
+  return "before it reverses, the slave travels " + six_digits(start * master / 2) +
+         ", and after that, the slave travels " + six_digits(slave - start * master / 2) +
+         ": move the point, or add a point where the slave reverses";
 }
 
 class Inspection {
@@ -117,7 +118,8 @@ class Inspection {
     const std::string ratios = "from " + six_digits(from) + " to " + six_digits(to);
     Finding f = finding("follow/ratio_step", first_ + i, where, std::abs(to - from));
     f.quantity = "step of geo_velocity";
-    f.advice = "the ratio steps " + ratios + ": make its travel fit, or the segment normal";
+    f.advice = "the ratio steps " + ratios +
+               ": change the end of this segment, or give it type = \"normal\"";
     if (start) {
       f.severity = Severity::warning;
       f.broken = !gear_detail::repeats(spec_, passes_);
@@ -175,8 +177,9 @@ class Inspection {
     const bool alternates = !counts(later - ratio);
     f.broken = !alternates;
     if (alternates) f.severity = Severity::warning;
-    f.advice = "after " + six_digits(ratio) + " the next pass ends at this ratio, then at " +
-               six_digits(later) + ": end the table with the ratio that it begins with";
+    f.advice = "the first pass ends at the ratio " + six_digits(ratio) +
+               ", and the third pass ends at the ratio " + six_digits(later) +
+               ": end the table with the ratio with which it begins";
     add(std::move(f));
   }
 

@@ -126,8 +126,8 @@ class Knots {
     if (!near(slave, before.slave))
       throw InputError(entry_key("zone", i, "slave"), slave,
                        "must be " + six_digits(before.slave) +
-                           ", the position that the slave has there: leave it out, or change the "
-                           "previous point or zone");
+                           ", the position that the slave has there: leave slave out, or change "
+                           "the previous point or zone");
     if (before.ratio && !near(*before.ratio, ratio))
       throw InputError(
           entry_key("zone", i, "ratio"), ratio,

@@ -66,7 +66,7 @@ void require_inside(const GearCourse& c, const char* list, std::size_t i, double
                      "must not lie before the start, " + number(c.master_start));
   if (at + distance > c.master_end)
     throw InputError(entry_key(list, i, "distance"), distance,
-                     "must be at most " + number(c.master_end - at) + ": it begins at " +
+                     "must be at most " + number(c.master_end - at) + ": the change begins at " +
                          six_digits(at) +
                          " and must end at or before master_end = " + number(c.master_end));
 }

@@ -179,7 +179,7 @@ SyncCam sync_cam(const GearInPos& gear, double from, double to) {
   if (!(from <= first))
     throw InputError("master_start", from,
                      "is past " + six_digits(first) +
-                         ", the start of the engagement (master_sync_position less "
+                         ", the start of the engagement (master_sync_position minus "
                          "master_start_distance): begin there, or shorten the start distance to " +
                          six_digits_down(std::abs(last - from)));
   if (!(to >= last))

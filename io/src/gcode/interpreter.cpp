@@ -81,9 +81,9 @@ void GcodeInterpreter::require_known(const GcodeBlock& block) const {
       fail_at(block, word, "must be the first word of its block");
     if (axis_of(word.letters) != std::string::npos) continue;
     if (word.letters.size() == 1 && gcode_axes.find(word.letters[0]) != std::string_view::npos)
-      fail_at(
-          block, word,
-          "is the position of an axis that the machine does not have: its axes are " + letters_);
+      fail_at(block, word,
+              "moves an axis that the machine does not have: its axes are " + letters_ +
+                  ". Remove this word, or add the axis to the spec of the machine");
     if (std::find(others.begin(), others.end(), word.letters) == others.end())
       fail_at(block, word, rule_of_unsupported(word.letters));
   }

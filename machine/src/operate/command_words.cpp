@@ -9,6 +9,7 @@
 
 #include "jounce/base/detail/csv.hpp"
 #include "jounce/base/detail/listed.hpp"
+#include "jounce/base/detail/nearest.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/command/command_values.hpp"
 #include "jounce/profiles/error.hpp"
@@ -282,7 +283,7 @@ double input_of(const std::string& text) {
   const auto input = csv_number(text);
   if (!input || *input != std::floor(*input) || *input < 1 || *input > 4)
     throw InputError(value_word, text,
-                     text.empty() ? "is missing: give the trigger input, 1 to 4, home or index"
+                     text.empty() ? "is missing: give a trigger input: 1 to 4, home or index"
                                   : "must be a trigger input: 1 to 4, home or index");
   return *input;
 }
@@ -314,9 +315,10 @@ void require_unbuffered(const CommandWords& words, const Form& form) {
       form.command->fields.begin(), form.command->fields.end(),
       [&](const Field& f) { return form.form(f) == OptionForm::blend && form.takes(f); });
   if (buffer_mode_of(words) == 0 || takes_it) return;
-  throw InputError(flag_of(words, "buffered") ? "--buffered" : "--blend", "",
-                   "applies to move --to, move --by, jog, and the moves of a group only, not to " +
-                       (form.word == move_word ? dashed(form.selector()) : form.word));
+  throw InputError(
+      flag_of(words, "buffered") ? "--buffered" : "--blend", "",
+      "applies to move --to, move --by, jog of an axis, and the moves of a group only, not to " +
+          (form.word == move_word ? dashed(form.selector()) : form.word));
 }
 
 /// Rejects an option of the word that the form does not take: --direction of move --by.
@@ -459,6 +461,8 @@ std::string meant_command(const std::string& name, const std::string& word) {
   if (word == "stop") return "is a verb of its own: did you mean jounce stop " + name + "?";
   if (word == "abort")
     return "is an option of a verb: did you mean jounce stop " + name + " --abort?";
+  if (nearest(word, words).empty())
+    return "is not a command: `jounce order --help` lists all, such as move, jog and home";
   return "";
 }
 
@@ -501,7 +505,11 @@ void require_taken(const CommandWords& words) {
           dashed(option), text,
           "does not apply to move: did you mean --to " + text + " or --by " + text + "?");
     if (option == value_word && !coordinate_option(words.what).empty())
-      throw InputError(value_word, text, "needs the name of an axis, such as x=" + text);
+      throw InputError(
+          value_word, text,
+          text.find(',') == std::string::npos
+              ? "needs the name of an axis, such as x=" + text
+              : "is a list without names: give --to " + text + ", or names, such as x=10 y=5");
     if (option == value_word && taken.size() == 1)
       throw InputError(value_word, text,
                        "does not apply to " + words.what + ": did you mean " +
@@ -664,7 +672,8 @@ void set_values(CommandWords& words, const std::vector<std::string>& values) {
     throw InputError(value_word, list,
                      "has names of axes, but " + words.what + " has no coordinates");
   if (!text_of(words, option).empty())
-    throw InputError(value_word, list, "cannot be combined with " + dashed(option));
+    throw InputError(value_word, list,
+                     "cannot be combined with " + dashed(option) + ": give one of the two");
   if (option == "to" && !text_of(words, "by").empty())
     throw InputError(value_word, list, "cannot be combined with --by: use --by " + list);
   words.options[option] = list;

@@ -72,7 +72,7 @@ std::vector<Message> all_messages() {
                      one.meaning, one.remedy});
   for (const wire::RefusalInfo& one : wire::all_refusals())
     if (one.refusal != wire::Refusal::none)
-      all.push_back({"Refusals of the stream", std::to_string(static_cast<int>(one.refusal)),
+      all.push_back({"Rejections of the stream", std::to_string(static_cast<int>(one.refusal)),
                      one.name, one.meaning, one.remedy});
   for (const RuleInfo& one : all_rules())
     all.push_back({"Findings of a check", "", one.rule, one.meaning, one.remedy});

@@ -56,7 +56,7 @@ constexpr FieldOption option_table[] = {
     {"move_repetitive", "position", "to", As::number, "Move to this position"},
     {"change_velocity", "velocity", value_word, As::number},
     {"change_velocity", "position", "past", As::number,
-     "change-velocity: when the setpoint passes this position; default: at once"},
+     "change-velocity: change it when the setpoint passes this position; default: at once"},
     {"change_velocity", "direction", "direction", As::direction,
      "With --past: only if the axis passes the position in this direction"},
     {"cut", "position", "position", As::number,
@@ -72,9 +72,11 @@ constexpr FieldOption option_table[] = {
     {"", "velocity difference", "velocity", As::number,
      "Greatest velocity of the move. This option and the next three default to the limits of the "
      "axis"},
-    {"", "acceleration", "acceleration", As::number, "Acceleration"},
-    {"", "deceleration", "deceleration", As::number, "Deceleration"},
-    {"", "jerk", "jerk", As::number, "Jerk"},
+    {"", "acceleration", "acceleration", As::number,
+     "Acceleration of the move, such as 2000mm/s^2"},
+    {"", "deceleration", "deceleration", As::number,
+     "Deceleration of the move, such as 2000mm/s^2"},
+    {"", "jerk", "jerk", As::number, "Jerk of the move, such as 20000mm/s^3"},
     {"", "buffer mode", "blend", As::blend,
      "move --to, --by, jog, and moves of a group: pass the target of the present move without a "
      "stop, at the velocity of low (the slower of the two moves), previous (the present move), "
@@ -91,8 +93,8 @@ constexpr FieldOption option_table[] = {
     {"", "index velocity", "index-velocity", As::number,
      "home: velocity of the search for the edge of the switch and the index"},
     {"", "timeout", "timeout", As::number,
-     "home: end with a fault after this time; m-word: drop the commands that follow after this "
-     "time; default: no limit"},
+     "home: end with a fault after this time, such as 30s; m-word: without an acknowledge in this "
+     "time, drop the commands that follow; default of m-word: no limit"},
     {"", "factor", value_word, As::factor, "", percent_to_200},
     {"", "wait", "wait", As::number, "repeat: rest between two strokes, s; default: 0"},
     {"", "strokes", "strokes", As::whole,
@@ -152,7 +154,7 @@ constexpr FieldOption option_table[] = {
     {"", "M word", "m-word", As::whole,
      "acknowledge: number of the M word; default: the one that waits"},
     {"", "on", "on", As::flag,
-     "single-step: each command begins after an acknowledge; without it: no longer"},
+     "single-step: from now on, each command waits for an acknowledge; without --on: it does not"},
     {"", "velocity factor", "velocity-factor", As::factor,
      "set-override: factor of the speed, 0% to 200%; default: 100%", percent_to_200},
     {"", "acceleration factor", "acceleration-factor", As::factor,

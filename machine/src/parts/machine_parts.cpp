@@ -11,6 +11,7 @@
 
 #include "jounce/axis/detail/homing_method.hpp"
 #include "jounce/axis/machine.hpp"
+#include "jounce/base/detail/listed.hpp"
 #include "jounce/base/detail/nearest.hpp"
 #include "jounce/base/file.hpp"
 #include "jounce/design/make.hpp"
@@ -139,12 +140,13 @@ void require_home_inside(const HomingSpec& homing, const Limits& limits) {
 /// Throws InputError for limits that exclude the default of the start position.
 void require_default_inside(const Spec& spec, const AxisConfig& config) {
   if (spec.document.places.contains("axis.position")) return;
-  const std::string is =
-      " the start position, " + number(config.position) + ": give position in [axis]";
+  const std::string start = number(config.position);
+  constexpr const char* remedy =
+      ", the start position of the axis: change the limit, or add position to [axis]";
   if (const auto& most = config.limits.position_max; most && config.position > *most)
-    throw InputError("limits.position_max", *most, "must be at least" + is);
+    throw InputError("limits.position_max", *most, "must be at least " + start + remedy);
   if (const auto& least = config.limits.position_min; least && config.position < *least)
-    throw InputError("limits.position_min", *least, "must be at most" + is);
+    throw InputError("limits.position_min", *least, "must be at most " + start + remedy);
 }
 
 /// The configuration of an axis, checked against its drive.
@@ -213,7 +215,8 @@ std::string meant(const std::string& name, const std::vector<Leader>& leaders, c
   std::vector<std::string> names;
   for (const Leader& leader : leaders) names.push_back(leader.name);
   const std::string near = nearest(name, names);
-  return near.empty() ? else_ : ": did you mean " + near + "?";
+  if (!near.empty()) return ": did you mean " + near + "?";
+  return (names.empty() ? "" : ", which has " + listed(names)) + else_;
 }
 
 /// The leader with the names in the table `table` of the axis: "follow", "follow.second". `unit`: its
@@ -235,7 +238,7 @@ Follow resolved(const Read& axis, const FollowWhom& whom, const std::string& tab
            meant(name, leaders, ": declare it in a spec of kind \"machine\", [master.NAME]"));
   if (leader == leaders.end())
     refuse("is not an axis of this machine" +
-           meant(name, leaders, ": name one of its axes, or add that axis to the machine"));
+           meant(name, leaders, ": add the axis, or correct the name"));
   if (!of_master && name == axis.spec.name) refuse("is this axis itself: name another axis");
   if (!unit.empty() && unit != leader->unit)
     refuse("has the unit " + leader->unit + ", but the axis " + axis.spec.name +

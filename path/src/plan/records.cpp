@@ -163,20 +163,21 @@ std::string explain(const CornerRecord& corner, std::string_view length_unit) {
       return "";
     case JunctionNote::turns_back:
       return "The path turns back by " + six_digits(corner.angle * 180 / std::numbers::pi) +
-             " degrees: the plan stops here.";
+             " degrees: the motion stops here.";
     case JunctionNote::short_sides:
       return "The sides are too short for " + request(corner, unit) + ": a corner with a trim of " +
              six_digits(corner.trim) + unit + " and a deviation of " +
              six_digits(corner.deviation) + unit + " is used.";
     case JunctionNote::slower:
       return "Rounding within " + request(corner, unit) +
-             " takes longer than stopping: the plan stops here.";
+             " takes longer than a stop: the motion stops here.";
     case JunctionNote::steps:
-      return std::string("The curvature steps here, and the acceleration with it; ") +
-             (corner.asked == Corner::stop ? "a corner mode" : "a jerk limit of the axes") +
+      return std::string("The curvature steps here, and the acceleration with it. ") +
+             (corner.asked == Corner::stop ? "A `corner` other than stop"
+                                           : "A jerk limit of the axes") +
              " rounds the step.";
     case JunctionNote::no_distance:
-      return "The command covers no distance: it is left out.";
+      return "This command covers no distance and is left out.";
   }
   return "";
 }

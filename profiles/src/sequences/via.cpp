@@ -39,8 +39,14 @@ void require_valid_point(const ViaSpec& spec, std::size_t k) {
   for (std::size_t i = 0; i < point.size(); ++i) {
     const std::string name = key(k) + "[" + std::to_string(i + 1) + "]";
     profiles_detail::require_moderate(name, point[i]);
-    if (point[i] < spec.axes[i].position_min || point[i] > spec.axes[i].position_max)
-      throw InputError(name, point[i], "must lie within the position limits of its axis");
+    if (point[i] < spec.axes[i].position_min)
+      throw InputError(
+          name, point[i],
+          "must be at least position_min = " + number(spec.axes[i].position_min) + " of its axis");
+    if (point[i] > spec.axes[i].position_max)
+      throw InputError(
+          name, point[i],
+          "must be at most position_max = " + number(spec.axes[i].position_max) + " of its axis");
   }
   if (k > 0 && point == spec.points[k - 1])
     throw InputError(key(k), "", "must differ from the previous point");

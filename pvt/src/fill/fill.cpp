@@ -84,7 +84,7 @@ void require_method(const FillSpec& spec) {
   require_valid(spec.limits);
   if (!spec.limits.velocity && !spec.limits.acceleration && !spec.limits.jerk)
     throw InputError("limits", "",
-                     "of velocity, acceleration or jerk are needed for within_limits");
+                     "are missing: within_limits needs a limit of velocity, acceleration or jerk");
 }
 
 /// Requires valid knots: the constructor of a linear Table through them throws otherwise.

@@ -75,11 +75,12 @@ Finding finding_of(const Swing& run, std::span<const PtPoint> points,
 const char* advice_to(PtType type) {
   switch (type) {
     case PtType::even:
-      return "an even segment runs at P/T from its first instant, which needs an infinite "
-             "acceleration: let the previous segment end at P/T, or make this one normal";
+      return "an even segment runs at P/T (its travel by its time) from its first instant, which "
+             "needs an infinite acceleration: let the previous segment end at P/T, or give this "
+             "one type = \"normal\"";
     case PtType::stop:
-      return "a stop segment always begins at 2P/T, which needs an infinite acceleration: choose "
-             "its increment so that 2P/T equals the velocity before";
+      return "a stop segment always begins at 2P/T (twice its travel by its time), which needs an "
+             "infinite acceleration: choose its travel P so that 2P/T is the velocity before";
     case PtType::normal:
     case PtType::continued:
       break;

@@ -329,11 +329,13 @@ class Reduction {
                        "must be at most " + number(length) + ", the length of the motion");
     const std::string table =
         std::string("a ") + (target_.quadratic ? "quadratic" : name(target_.rule)) + " table";
-    const std::string where = " at " + number(failed.knots.back().x);
+    const std::string where = (std::is_same_v<Over, OverTime> ? " at the time " : " at master ") +
+                              number(failed.knots.back().x);
     if (!failed.stuck && !target_.most)
       throw InputError(target_.tolerance ? "tolerance" : "velocity_tolerance",
                        target_.tolerance ? asked_.position : asked_.velocity,
-                       "needs more than " + std::to_string(many) + " knots in " + table);
+                       "needs more than " + std::to_string(many) + " knots in " + table +
+                           ": give a greater tolerance");
     if (!failed.stuck) {
       const Attempt enough = attempt(1, many);
       const bool any = target_.tolerance || target_.velocity_tolerance;
@@ -357,11 +359,10 @@ class Reduction {
     throw InputError(
         position ? "tolerance" : "velocity_tolerance", position ? asked_.position : asked_.velocity,
         "cannot be kept by " + table + where +
-            (scale > 0 ? ", where the curve steps or the spacing and resolution permit no knot; " +
-                             tolerances_times(scale) + " can"
-             : target_.spacing > 0 || target_.x_step > 0
-                 ? ", where the curve steps or the spacing and resolution permit no knot"
-                 : ": the curve steps there"));
+            (scale > 0 || target_.spacing > 0 || target_.x_step > 0
+                 ? ": the curve steps there, or the spacing or the resolution permits no knot"
+                 : ": the curve steps there") +
+            (scale > 0 ? ". Give at least " + tolerances_times(scale) : ""));
   }
 
   const Curve<Over>& f_;

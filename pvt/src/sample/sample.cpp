@@ -520,9 +520,9 @@ Sampled sample_within(const Curve<Over>& f, Interpolation rule, double tolerance
     while (!fits(enough)) {
       enough *= 2;
       if (knots.size() + enough > most)
-        throw InputError(
-            "tolerance", tolerance,
-            "needs more than " + std::to_string(most) + " knots with a " + name(rule) + " table");
+        throw InputError("tolerance", tolerance,
+                         "needs more than " + std::to_string(most) + " knots with a " + name(rule) +
+                             " table: give a greater tolerance");
     }
     std::size_t too_few = enough / 2;
     while (enough - too_few > 1) {

@@ -51,8 +51,8 @@ std::string skipped_text(const RunResult& run) {
   const auto add = [&](std::size_t count, const char* one, const char* several,
                        const std::string& option) {
     if (count > 0)
-      text += "; " + counted(count, one, several) + " not checked: name " +
-              (count == 1 ? "it" : "each of them") + option;
+      text += "; " + counted(count, one, several) + " not checked: give " +
+              (count == 1 ? "this file" : "each file") + " by its name" + option;
   };
   add(run.skipped, "controller file", "controller files",
       run.verb == "check" ? ", with --against SPEC" : "");

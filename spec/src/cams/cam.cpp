@@ -116,8 +116,8 @@ void refuse_free_ends(TomlReader& top, const OptimizeSpec& optimize, std::size_t
   });
   if (moves || changes)
     top.fail(("segment[" + std::to_string(number) + "].end.slave").c_str(), "",
-             "follows from the velocity of the line, but the line or one of its knots is free: "
-             "give slave, or move the line with [[optimize.parameter]] instead of free");
+             "is missing: it follows from the velocity of the line only if neither the line nor "
+             "its knots are free. Add slave = NUMBER, or replace free with [[optimize.parameter]]");
 }
 
 std::vector<std::string> law_names() {
@@ -126,11 +126,15 @@ std::vector<std::string> law_names() {
   return names;
 }
 
-/// Throws InputError with the name of the law here, if the spec has its name in another tool.
+/// Throws InputError for a name that is not near a law, with its name here if it is a law of another tool.
 void refuse_alias(TomlReader& owner, const char* key) {
   if (!owner.is_text(key)) return;
   const auto text = owner.optional_text(key);
   if (const LawAlias* alias = law_alias(*text)) owner.fail(key, '"' + *text + '"', rule_of(*alias));
+  const std::vector<std::string> names = law_names();
+  if (std::find(names.begin(), names.end(), *text) == names.end() && nearest(*text, names).empty())
+    owner.fail(key, '"' + *text + '"',
+               "is not a law: `jounce laws` lists all, such as modified_sine or 345");
 }
 
 CamPoint read_point(TomlReader& point, const CamUnits& units) {
@@ -229,7 +233,7 @@ CamKnot read_end(TomlReader& segment, const CamUnits& units, const CamKnot* line
   if (!segment.has("end") && segment.is_faulty("points")) throw PartEnded{};  // its last point
   TomlReader end = segment.table("end", "end = { master = NUMBER, slave = NUMBER }");
   CamKnot knot = read_knot(end, units, line_from);
-  end.refuse_here("free", "belongs to the segment: write it beside end, not in it");
+  end.refuse_here("free", "belongs to the segment: write free beside end, not inside end");
   end.finish();
   return knot;
 }
@@ -255,7 +259,8 @@ namespace {
 ControlShape read_control(TomlReader& segment, Law law, const Units& units) {
   if (law != Law::b_spline) {
     for (const char* key : {"control", "knots"})
-      segment.refuse_here(key, "belongs to a segment with the law b_spline");
+      segment.refuse_here(
+          key, "applies to the law b_spline only: leave it out, or give law = \"b_spline\"");
     return {};
   }
   ControlShape shape{segment.number_list("control", units.position)};
@@ -360,7 +365,9 @@ std::optional<double> read_budget(TomlReader& table) {
 void read_optimize(TomlReader& top, Spec& spec) {
   const auto& load = spec.optimize.shape.load = read_load(top, spec.units);
   if (load && (load->peak_torque || load->rms_torque) && !spec.master)
-    top.fail("load", "", "limits a torque, which depends on the speed: add [master]");
+    top.fail(
+        "load", "",
+        "limits a torque, which depends on the speed of the master: add [master] with velocity");
   if (!std::holds_alternative<CamSpec>(spec.subject)) return;  // read_parameters() reads the rest
   auto table = top.optional_table("optimize");
   const bool shapes = !spec.optimize.shape.shapes.empty();

@@ -105,7 +105,8 @@ std::optional<CamPointFile> read_cam_points(TomlReader& segment, Law law, const 
   if (!segment.is_text("points")) {
     if (segment.has("tolerance"))
       segment.fail("tolerance", "",
-                   "applies to the points of a file: give each of these points its own tolerance");
+                   "applies to points = \"FILE\" only: leave it out, or give each point in points "
+                   "a tolerance");
     return std::nullopt;
   }
   if (!takes_points(law))

@@ -126,9 +126,10 @@ void require_rest(TomlReader& then, const Cam& cam, double at, const Units& unit
     if (outside || std::abs(speed) <= rounded_input * greatest) continue;
     then.fail(
         "at", number(at),
-        "is where the slave moves, at " + six_digits(speed) + " " +
-            rate_unit(units.position, units.x, 1) +
-            ", but a dwell begins at rest: insert it outside the rises and falls, which are " +
+        "must be a place where the slave rests, because a dwell begins at rest; here the slave "
+        "moves with " +
+            six_digits(speed) + " " + rate_unit(units.position, units.x, 1) +
+            ". Choose a place outside the rises and falls, which are " +
             inverted(cam).ranges_text() + " " + units.x);
   }
 }
@@ -137,7 +138,7 @@ NamedCam insert(TomlReader& then, const NamedCam& f, Units& units) {
   const double at = then.number("at", units.x);
   const auto dwell = then.optional_number("dwell", units.x);
   if (dwell && then.has("with"))
-    then.fail("dwell", number(*dwell), "cannot be combined with `with`");
+    then.fail("dwell", number(*dwell), "cannot be combined with `with`: give one of the two");
   if (dwell && !(*dwell > 0)) then.fail("dwell", number(*dwell), "must be greater than 0");
   if (!(at >= f.cam.start() && at <= f.cam.end()))
     then.fail("at", number(at),
@@ -217,9 +218,9 @@ double end_of_inverse(const Inverse& branch, Side side) {
 NamedCam inverse(TomlReader& then, const NamedCam& f, Units& units) {
   if (!is_position_unit(units.x))
     then.fail("operator", "\"inverse\"",
-              "makes a position of the master, whose unit is " + units.x +
-                  ": it needs a length, an "
-                  "angle, or pulses");
+              "needs a master in a length, an angle or pulses, because it exchanges master and "
+              "slave; this master is in " +
+                  units.x);
   const Inversion all = inverted(f.cam);
   const Inverse& branch = branch_of(then, all, then.optional_number("at", units.x));
   const double from =
@@ -310,7 +311,9 @@ NamedCam read_cam_then(TomlReader& top, NamedCam cam, const Units& units) {
 NamedCam read_cam_from(TomlReader& top, const NamedCam& source, const Units& units) {
   for (const char* key : {"start", "segment", "boundaries", "slave_period"})
     top.refuse_here(key,
-                    "cannot be combined with from, which names the cam that this file changes");
+                    "cannot be combined with from, which names the cam that this file changes: "
+                    "leave one of the "
+                    "two out");
   NamedCam cam = read_cam_then(top, source, units);
   if (const auto periodic = top.optional_flag("periodic")) set_periodic(cam.cam, *periodic);
   return cam;

@@ -184,7 +184,7 @@ FollowPart read_follow(TomlReader& top, const Units& units) {
   const bool plan = top.has("point") || top.has("zone");
   if (plan) {
     const std::string rule =
-        "cannot be combined with [[point]] and [[zone]]: leave out the one or the other";
+        "cannot be combined with [[point]] and [[zone]]: leave it out, or remove these sections";
     for (const char* key : {"segment", "points"}) top.refuse_here(key, rule);
     for (const char* key : {"table", "controller", "end", "increments", "loops"})
       follow.refuse_here(key, rule);

@@ -103,12 +103,15 @@ SyncSpec read_gear(TomlReader gear, const Units& units) {
   switch (gear.has("engage") ? gear.variant("engage", words) : 0) {
     case 0:
       for (const char* key : {"engage_at", "distance", "from_ratio", "law", "change", "shift"})
-        gear.refuse_here(key, "needs engage = \"distance\"");
+        gear.refuse_here(key, "needs engage = \"distance\": add it, or leave this key out");
       for (const char* key : {"master_start", "master_end", "slave_start"})
-        gear.refuse_here(key, "needs engage = \"distance\" or \"position\", without master_period");
+        gear.refuse_here(
+            key,
+            "needs engage = \"distance\" or \"position\", without master_period: change "
+            "engage, or leave this key out");
       for (const char* key : {"master_sync_position", "slave_sync_position",
                               "master_start_distance", "avoid_reversal", "slave_period"})
-        gear.refuse_here(key, "needs engage = \"position\"");
+        gear.refuse_here(key, "needs engage = \"position\": add it, or leave this key out");
       spec = read_for_ever(gear, units);
       break;
     case 1:

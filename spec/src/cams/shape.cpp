@@ -98,7 +98,9 @@ Corridor read_corridor(TomlReader& each, const ShapeWords& words) {
   if (corridor.lower && corridor.upper &&
       (corridor.lower->at_from > corridor.upper->at_from ||
        corridor.lower->at_to > corridor.upper->at_to))
-    each.fail("lower", number(corridor.lower->at_from), "must not be above the upper bound");
+    each.fail("lower", number(corridor.lower->at_from),
+              "must not be above upper = " + number(corridor.upper->at_from) +
+                  " anywhere in the corridor");
   each.finish();
   return corridor;
 }

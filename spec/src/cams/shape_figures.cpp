@@ -55,7 +55,7 @@ std::vector<std::string> figure_names() {
 double speed_for(TomlReader& reader, const char* key, const std::string& name,
                  const ShapeWords& words) {
   if (!words.speed)
-    reader.fail(key, '"' + name + '"', "needs the speed of the master: add [master]");
+    reader.fail(key, '"' + name + '"', "needs the speed of the master: add [master] with velocity");
   return *words.speed;
 }
 
@@ -72,7 +72,7 @@ const LoadSpec& linear_load_for(TomlReader& reader, const char* key, const std::
   const LoadSpec& load = load_for(reader, key, name, words);
   if (!is_linear(load))
     reader.fail(key, '"' + name + '"',
-                "is not possible for a load with coulomb or lever: use \"peak torque\" instead");
+                "is not possible with coulomb or lever in [load]: use \"peak torque\" instead");
   return load;
 }
 

@@ -13,7 +13,8 @@ const std::vector<std::string> rules{"linear", "cubic_hermite", "quintic_hermite
 
 }  // namespace
 
-std::string read_unit(TomlReader& reader, const char* key, const char* fallback) {
+std::string read_unit(TomlReader& reader, const char* key, const char* fallback,
+                      const UnitRule& rule) {
   const std::array placeholders{fallback ? fallback : "mm", fallback ? fallback : "deg"};
   if (const auto unit = reader.placeholder(key, placeholders)) return *unit;
   if (fallback == nullptr && !reader.has(key)) {
@@ -21,28 +22,30 @@ std::string read_unit(TomlReader& reader, const char* key, const char* fallback)
     reader.fail(key, "", std::string("is missing: add ") + key + " = \"mm\", or another unit");
   }
   auto unit = reader.optional_text(key).value_or(fallback == nullptr ? "" : fallback);
-  if (!is_unit(unit))
-    reader.fail(key, '"' + unit + '"',
-                "is not a known unit; known are mm, m, um, cm, in, deg, rad, rev, pulse, count, "
-                "inc, s, ms, us, "
-                "ns, min, h and their products");
+  if (!is_unit(unit) || !rule.fits(unit)) reader.fail(key, '"' + unit + '"', rule.text);
   return unit;
 }
 
+std::string read_time_unit(TomlReader& reader, const char* key) {
+  return read_unit(reader, key, "s",
+                   {[](const std::string& unit) { return is_convertible(unit, "s"); },
+                    "is not a unit of time: give s, ms, us, min or h"});
+}
+
 std::string read_position_unit(TomlReader& reader, const char* key, const char* fallback) {
-  std::string unit = read_unit(reader, key, fallback);
-  if (is_position_unit(unit)) return unit;
-  reader.fail(key, '"' + unit + '"',
-              "is not a unit of position: give a length (m mm um cm in), an angle (rad deg rev), "
-              "or pulse, count or inc");
+  return read_unit(
+      reader, key, fallback,
+      {[](const std::string& unit) { return is_position_unit(unit); },
+       "is not a unit of position: give a length (m mm um cm in), an angle (rad deg rev), or "
+       "pulse, count or inc"});
 }
 
 std::string read_master_unit(TomlReader& reader, const char* key) {
-  std::string unit = read_unit(reader, key, nullptr);
-  if (is_position_unit(unit) || is_convertible(unit, "s")) return unit;
-  reader.fail(key, '"' + unit + '"',
-              "is not a unit of a master: give an angle (deg rad rev), a length (m mm um cm in), "
-              "pulse, count or inc, or a time (s ms) for a virtual master");
+  return read_unit(
+      reader, key, nullptr,
+      {[](const std::string& unit) { return is_position_unit(unit) || is_convertible(unit, "s"); },
+       "is not a unit of a master: give an angle (deg rad rev), a length (m mm um cm in), pulse, "
+       "count or inc, or a time (s ms) for a virtual master"});
 }
 
 TableOptions read_table_options(TomlReader& owner, const Units& units, bool finished, Domain axis) {
@@ -78,10 +81,14 @@ void read_rates(TomlReader& table, Limits& limits, const std::array<const char*,
   for (std::size_t k = 0; k < rates.size(); ++k) {
     *rates[k] =
         table.optional_number(names[k + 1], rate_unit(position, x, static_cast<int>(k) + 1));
-    if (*rates[k] && !(**rates[k] > 0))
+    if (!*rates[k] || **rates[k] > 0) continue;
+    (void)table.attempt([&] {
       table.fail(names[k + 1], number(**rates[k]),
                  k < required ? "must be greater than 0"
                               : "must be greater than 0; leave it out for no limit");
+    });
+    rates[k]->reset();
+    if (k < required) *rates[k] = 1;  // the limit is given, although it is wrong
   }
 }
 

@@ -97,7 +97,7 @@ MachineMasterSpec read_master(TomlReader& reader, const std::string& name) {
   master.key = reader.path("kind");
   master.key.erase(master.key.rfind('.'));
   const std::size_t kind = reader.choice("kind", master_kinds);
-  master.unit = read_unit(reader, "unit", nullptr);
+  master.unit = read_master_unit(reader, "unit");
   if (kind == 0)
     master.what = MachineMasterSpec::External{read_tracking(reader, master.unit)};
   else if (kind == 1)

@@ -18,6 +18,7 @@ constexpr std::size_t most_points = 1'000'000;  ///< greatest number of points o
 
 /// The number of points along one reference.
 std::size_t reference_count(TomlReader& reference) {
+  if (!reference.has("count")) reference.fail("count", "", "is missing: add count = WHOLE NUMBER");
   const std::size_t count = reference.optional_count("count").value_or(0);
   if (count < 2 || count > most_points)
     reference.fail("count", std::to_string(count), "must be from 2 to 1e6");
@@ -67,6 +68,10 @@ CompensationSpec read_correction_grid(
                "is missing: add [[" + table.path("reference") +
                    "]] with base, interval and count for each axis that the correction depends "
                    "on, one to three");
+  if (!table.has("user_table") && !table.has("values"))
+    table.fail("values", "",
+               "is missing: add values = [NUMBER, ...], one for each of the " +
+                   std::to_string(points) + " points of the grid, or user_table");
   grid.values = table.has("user_table")
                     ? user_values(table, points, unit)
                     : table.numbers("values", std::vector<std::string>(points, unit));

@@ -61,7 +61,7 @@ void read_figure(TomlReader& table, ParametersSpec& spec) {
     table.fail(
         "minimize", least ? '"' + *least + '"' : "",
         least
-            ? "cannot be combined with maximize"
+            ? "cannot be combined with maximize: give one of the two"
             : "is missing: add minimize or maximize = \"FIGURE\", such as minimize = \"duration\"");
   spec.figure = least ? *least : *most;
   spec.maximize = most.has_value();

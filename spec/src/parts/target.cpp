@@ -22,9 +22,14 @@ Target read_controller(TomlReader& table, const Units& units, Domain axis, Table
   const ControllerTable& controller = controller_tables()[*choice];
   const std::string word = '"' + names[*choice] + '"';
   if (controller.axis != axis)
-    table.fail("controller", word, std::string("needs a table over ") + name(controller.axis));
+    table.fail("controller", word,
+               axis == Domain::time
+                   ? "is for tables over a master, not over time: choose another controller"
+                   : "is for tables over time, not over a master: choose another controller");
   if (options.rule.value_or(controller.rule) != controller.rule)
-    table.fail("controller", word, std::string("needs a ") + name(controller.rule) + " table");
+    table.fail("controller", word,
+               std::string("needs rule = \"") + name(controller.rule) +
+                   "\": change rule, or leave rule out");
   options.rule = controller.rule;
   try {
     return target_of(controller, units, x_step, resolution);

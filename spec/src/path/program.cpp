@@ -19,6 +19,7 @@ namespace jounce::spec_detail {
 namespace {
 
 const std::vector<std::string> feed_times{"min", "s"};
+constexpr const char* one_of_two = ": give one of the two";
 
 /// The columns of points have names in lower case.
 std::string column_of(std::string axis) {
@@ -97,7 +98,8 @@ std::string read_gcode_table(TomlReader& top, const PathAxes& axes, GcodeMachine
   auto gcode = top.optional_table("gcode");
   if (!gcode) return "";
   for (const char* other : {"command", "points", "records", "frame"})
-    if (top.has(other)) top.fail("gcode", "", std::string("cannot be combined with ") + other);
+    if (top.has(other))
+      top.fail("gcode", "", std::string("cannot be combined with ") + other + one_of_two);
   if (const auto v = gcode->optional_positive("rapid", axes.unit(1))) machine.rapid = *v;
   if (const auto time = gcode->optional_choice("feed_time", feed_times))
     machine.feed_time = *time == 0 ? 60 : 1;
@@ -138,7 +140,8 @@ void read_program(TomlReader& top, const PathAxes& axes, PathSettings settings, 
     set_gcode(path, gcode.file_of("file", file, [&] { return read_file(file); }), file);
   } else if (auto records = top.optional_table("records")) {
     for (const char* other : {"command", "points"})
-      if (top.has(other)) top.fail("records", "", std::string("cannot be combined with ") + other);
+      if (top.has(other))
+        top.fail("records", "", std::string("cannot be combined with ") + other + one_of_two);
     read_records(std::move(*records), axes, path);
   } else if (top.has("points")) {
     const auto points = read_point_file(top, "command", columns_of(top, axes));

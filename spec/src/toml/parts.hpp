@@ -177,8 +177,18 @@ std::optional<FollowerSpec> read_follower(TomlReader& top, const Spec& spec);
 AxisSwitches read_switches(TomlReader& top, const Spec& spec, SwitchesOf of,
                            std::optional<double> master_period = {});
 
+/// The units that a key permits.
+struct UnitRule {
+  bool (*fits)(const std::string& unit);
+  const char* text;  ///< rule of the error for another unit
+};
+
 /// Reads a unit of measure under `key`.
-std::string read_unit(TomlReader& reader, const char* key, const char* fallback);
+std::string read_unit(TomlReader& reader, const char* key, const char* fallback,
+                      const UnitRule& rule);
+
+/// Reads a unit of time; by default s.
+std::string read_time_unit(TomlReader& reader, const char* key);
 
 /// Reads a unit of a position: of length, of angle, or pulses.
 std::string read_position_unit(TomlReader& reader, const char* key, const char* fallback);

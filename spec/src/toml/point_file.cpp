@@ -14,7 +14,7 @@ std::optional<Points> read_point_file(TomlReader& owner, const char* rows,
   if (!given) return std::nullopt;
   if (owner.has(rows))
     owner.fail("points", '"' + *given + '"',
-               std::string("cannot be combined with [[") + rows + "]]");
+               std::string("cannot be combined with [[") + rows + "]]: give one of the two");
   const std::filesystem::path spec = owner.document().name;
   const std::string file = (spec.parent_path() / *given).string();
   Points points = owner.file_of("points", file, [&] { return jounce::read_points(file); });

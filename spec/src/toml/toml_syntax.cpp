@@ -165,8 +165,10 @@ InputError repeated(const Document& document, const Header& again, int line, int
     if (header.is_array != list)
       return list ? double_brackets(document, header.name, header.at)
                   : single_brackets(document, header.name, header.at);
+  const bool is_key = headers_of(document.text, again.name).size() < 2;
   return InputError("[" + again.name + "]", "",
-                    "is given twice: keep one section, with the keys of both")
+                    is_key ? "is also given as a key: keep the section, and remove the key"
+                           : "is given twice: keep one section, with the keys of both")
       .at(document.name, line, column);
 }
 
@@ -221,6 +223,10 @@ InputError syntax_error(const Document& document, int line, int column,
     return error(pair.key, pair.value, "the closing quote is missing");
   if (const auto header = header_of(text); header && has("cannot redefine"))
     return repeated(document, *header, line, column);
+  if (has("cannot redefine") && column == 1 &&
+      line > 1)  // the parser names the line behind a header
+    if (const auto header = header_of(line_of(document.text, line - 1)))
+      return repeated(document, *header, line - 1, column);
   if (has("cannot redefine"))
     return error(pair.key, pair.value, "is given twice: remove one of the two");
   if (has("expected value") && pair.value.empty() && !pair.key.empty())

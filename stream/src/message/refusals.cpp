@@ -7,7 +7,7 @@ namespace jounce::wire {
 namespace {
 
 constexpr std::array entries{
-    RefusalInfo{Refusal::none, "none", "Nothing is refused.", "Nothing."},
+    RefusalInfo{Refusal::none, "none", "Nothing is rejected.", "Nothing."},
     RefusalInfo{Refusal::busy, "busy", "Another program owns the axis: its session is open.",
                 "Wait until the session of that program ends, or end the program."},
     RefusalInfo{Refusal::unknown_session, "unknown_session",
@@ -19,7 +19,7 @@ constexpr std::array entries{
     RefusalInfo{
         Refusal::bad_header, "bad_header",
         "The header of a table contradicts itself, or an earlier header with the same index.",
-        "Correct the streamer."},
+        "Correct the program that sends the table."},
     RefusalInfo{Refusal::too_large, "too_large",
                 "The table has more knots than the executor permits.",
                 "Reduce the table: `tolerance` or `most` in [table]."},
@@ -27,7 +27,8 @@ constexpr std::array entries{
                 "The memory of the executor is full: all its tables are in use.",
                 "End other sessions, or reduce the table."},
     RefusalInfo{Refusal::bad_chunk, "bad_chunk",
-                "A part of the table (chunk) contradicts its header.", "Correct the streamer."},
+                "A part of the table (chunk) contradicts its header.",
+                "Correct the program that sends the table."},
     RefusalInfo{Refusal::hash_mismatch, "hash_mismatch",
                 "All parts of the table (chunks) have arrived, but their hash differs from that of "
                 "the header.",
@@ -35,7 +36,7 @@ constexpr std::array entries{
     RefusalInfo{Refusal::bad_table, "bad_table",
                 "The parts that have arrived are not a valid table; the message names the knot and "
                 "the rule.",
-                "Correct the streamer."},
+                "Correct the program that sends the table."},
     RefusalInfo{Refusal::table_missing, "table_missing",
                 "The table that the command arms has not arrived completely.",
                 "Send the whole table first."},
@@ -60,10 +61,10 @@ constexpr std::array entries{
     RefusalInfo{
         Refusal::bad_queue, "bad_queue",
         "The header of a queue contradicts itself, or an earlier header with the same index.",
-        "Correct the streamer."},
+        "Correct the program that sends the table."},
     RefusalInfo{Refusal::bad_rows, "bad_rows",
                 "The rows contradict their queue, or the rows before them.",
-                "Correct the streamer."},
+                "Correct the program that sends the table."},
     RefusalInfo{Refusal::bad_row, "bad_row",
                 "A row exceeds a limit or leaves the path; the answer has the number of the row "
                 "and the rule.",

@@ -262,8 +262,8 @@ TEST(Design, NamesWhatContradictsItself) {
 
   spec.segments = {{Law::dwell, {100, 50, {}, {}}, ""}};
   EXPECT_EQ(complaint(spec),
-            "segment[1].end.slave = 50: must be 0, the start of this dwell: change it, or take "
-            "another law");
+            "segment[1].end.slave = 50: must be 0, the position where this dwell starts: "
+            "change one of the two, or the law");
 
   spec.segments = {{Law::harmonic_combination, {100, 50}}, {Law::dwell, {200, 50}}};
   EXPECT_EQ(

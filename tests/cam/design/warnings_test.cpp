@@ -49,8 +49,8 @@ TEST(Warnings, TheDefaultCamOfCodesysOvershootsItsVelocity) {
   EXPECT_NEAR(first.where, 72, 1e-9);
   EXPECT_EQ(
       first.advice,
-      "the slope of its moving end, times its length, divided by its stroke is 1, but must be "
-      "5/3 to 5/2: use a length from 200 to 300, or a stroke from 48 to 72");
+      "a quintic overshoots unless slope of the moving end * length / stroke is 5/3 to 5/2, here "
+      "1: use a length from 200 to 300, or a stroke from 48 to 72");
 }
 
 TEST(Warnings, TheWindowOfRhoHasItsEdgesAt5Over3And5Over2) {
@@ -90,9 +90,8 @@ TEST(Warnings, NoRemedyIsLongerThanThePeriod) {
   const Finding& f = get(odd, "warning/velocity_overshoot");
   EXPECT_EQ(f.severity, Severity::warning);
   EXPECT_EQ(f.advice,
-            "the slope of its moving end, times its length, divided by its stroke is 1.25, but "
-            "must be 5/3 to 5/2: "
-            "use a stroke from 80 to 120");
+            "a quintic overshoots unless slope of the moving end * length / stroke is 5/3 to 5/2, "
+            "here 1.25: use a stroke from 80 to 120");
 }
 
 TEST(Warnings, OvershootHasItsSizeAndWhetherItIsInevitable) {

@@ -221,11 +221,11 @@ TEST(LawForms, NameWhatALawDoesNotTake) {
     return test::error_of([&] { (void)normalized(law, form); }, "no error");
   };
   EXPECT_EQ(complaint(Law::double_harmonic, {.inflection = 0.4}),
-            "inflection = 0.4: the law `double_harmonic` has no parameter of this name");
+            "inflection = 0.4: does not apply to the law `double_harmonic`: leave it out");
   EXPECT_EQ(complaint(Law::modified_sine, {.inflection = 1}),
             "inflection = 1: must lie inside the segment: above 0 and below 1");
   EXPECT_EQ(complaint(Law::modified_sine, {.straight = 0.1}),
-            "straight = 0.1: the law `modified_sine` has no parameter of this name");
+            "straight = 0.1: does not apply to the law `modified_sine`: leave it out");
   EXPECT_EQ(complaint(Law::sine_straight, {.straight = 1}),
             "straight = 1: must be a share of the segment: at least 0 and below 1");
   EXPECT_EQ(complaint(Law::scca, {}),

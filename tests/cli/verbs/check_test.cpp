@@ -73,9 +73,10 @@ TEST_F(CheckVerb, StatesTheRampOfAScaledCoupling) {
 TEST_F(CheckVerb, ReportsAnEndWithAVelocity) {
   const Result gear = run("check " + examples + "pmc600-gear-in-pos/gear.toml");
   EXPECT_THAT(gear.out, HasSubstr("coupling/end"));
-  EXPECT_THAT(gear.out,
-              HasSubstr("at the master velocity 10000 pulse/s, the slave moves at 5000 pulse/s "
-                        "there; with a live master, it stays in gear after the end of its table"));
+  EXPECT_THAT(
+      gear.out,
+      HasSubstr("at the master velocity 10000 pulse/s, the slave moves at 5000 pulse/s "
+                "there; with a live master, the slave stays in gear after the end of its table"));
   const std::string once =
       "jounce = 1\nkind = \"cam\"\nunits = { master = \"deg\", position = \"mm\" }\n"
       "start = { master = 0, slave = 0 }\n[[segment]]\nlaw = \"quintic\"\n"
@@ -87,7 +88,7 @@ TEST_F(CheckVerb, ReportsAnEndWithAVelocity) {
   EXPECT_THAT(cam_once.out, Not(HasSubstr("BROKEN"))) << "one finding";
   EXPECT_THAT(cam_once.out,
               HasSubstr("at the master velocity 180 deg/s, the slave moves at 90 mm/s there; "
-                        "with a live master, it brakes there"));
+                        "with a live master, the slave brakes there"));
   EXPECT_THAT(cam_once.out, HasSubstr("warn   coupling/end"));
   write("scaled.toml", once + "[coupling]\nstart = \"absolute\"\nslave_scaling = 2\n");
   EXPECT_THAT(run("check scaled.toml").out, HasSubstr("the slave moves at 180 mm/s there"));

@@ -21,7 +21,7 @@ TEST_F(ExplainVerb, NamesMeaningAndRemedy) {
   EXPECT_THAT(name.out, HasSubstr("What to do: "));
   const Result number = run("explain 6");
   EXPECT_THAT(number.out, HasSubstr(name.out)) << "the same fault";
-  EXPECT_THAT(number.out, HasSubstr("6 out_of_memory (Refusals of the stream)"));
+  EXPECT_THAT(number.out, HasSubstr("6 out_of_memory (Rejections of the stream)"));
   EXPECT_THAT(run("explain 0x1392").out, HasSubstr("Errors of HMPL for cams and gears"));
   const Result finding = run("explain limit/geo_jerk");  // a member of the family limit/*
   EXPECT_EQ(finding.status, 0);

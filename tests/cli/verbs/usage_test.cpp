@@ -121,7 +121,9 @@ TEST_F(Usage, AFileOfAnotherVerbNamesThatVerb) {
   write("a.toml", "jounce = 1\nkind = \"machine\"\n");
   EXPECT_THAT(
       run("plot a.toml -o a.svg").err,
-      HasSubstr("a.toml:2:8: kind = \"machine\": is a machine: run it alone, with `jounce run`"));
+      HasSubstr(
+          "a.toml:2:8: kind = \"machine\": is a machine, which has no motion of its own: give the "
+          "spec of a motion here"));
   write("a.toml", "jounce = 1\nkind = \"sweep\"\n");
   EXPECT_THAT(run("plot a.toml -o a.svg").err,
               HasSubstr("a.toml:2:8: kind = \"sweep\": is a sweep: start it with `jounce sweep`"));

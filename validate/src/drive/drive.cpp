@@ -56,13 +56,13 @@ void require_options(const DriveOptions& options) {
       require_positive((std::string("limits.") + limit.key).c_str(), *value);
   if (options.limits.settling_time && !options.limits.settling_band)
     throw InputError("limits.settling_time", *options.limits.settling_time,
-                     "needs a settling_band");
+                     "needs settling_band: add it, or leave settling_time out");
   if (options.periodic)
     for (const Limit& limit : of_standstill)
       if (const auto& value = options.limits.*limit.value)
-        throw InputError(
-            std::string("limits.") + limit.key, *value,
-            "needs a standstill after the motion, which a periodic motion does not have");
+        throw InputError(std::string("limits.") + limit.key, *value,
+                         "needs a standstill after the motion, which a periodic motion does not "
+                         "have: leave it out");
   for (const Interval& sync : options.sync)
     if (!(sync.from < sync.to))
       throw InputError("sync.to", sync.to, "must be greater than from = " + number(sync.from));
@@ -73,15 +73,17 @@ void require_options(const DriveOptions& options) {
 void require_valid(const DriveOptions& options, const Drive& drive) {
   require_options(options);
   if (options.limits.current && drive.motor.torque_constant == 0)
-    throw InputError("limits.current", *options.limits.current, "needs motor.torque_constant");
+    throw InputError("limits.current", *options.limits.current,
+                     "needs motor.torque_constant: add it, or leave this limit out");
 }
 
 void validate_detail::require_within(const DriveOptions& options, double start, double end) {
   for (const Interval& sync : options.sync)
     if (!(sync.from >= start && sync.to <= end))
       throw InputError("sync.to", sync.to,
-                       "must lie within the motion, from " + number(start) + " to " + number(end) +
-                           " s, as must from");
+                       "is the end of an interval from " + number(sync.from) +
+                           " s, which must lie within the motion, " + number(start) + " to " +
+                           number(end) + " s");
 }
 
 namespace {

@@ -106,8 +106,9 @@ void require(const DriveNumber& number) {
 
 void require_valid(const std::string& part, const Friction& f) {
   if (f.breakaway != 0 && f.breakaway < f.coulomb)
-    throw InputError(part + "friction.breakaway", f.breakaway,
-                     "must not be less than coulomb; 0 means equal to coulomb");
+    throw InputError(
+        part + "friction.breakaway", f.breakaway,
+        "must be at least coulomb = " + number(f.coulomb) + ", or 0 for the same value");
 }
 
 /// Relations between two numbers.
@@ -117,9 +118,11 @@ void require_valid(const Motor& m) {
     throw InputError("motor.max_velocity", m.max_velocity,
                      "must be greater than rated_velocity = " + number(m.rated_velocity));
   if (m.thermal_time != 0 && m.rated_torque == 0)
-    throw InputError("motor.thermal_time", m.thermal_time, "needs a rated_torque");
+    throw InputError("motor.thermal_time", m.thermal_time,
+                     "needs rated_torque: add it, or leave thermal_time out");
   if (m.resistance != 0 && m.torque_constant == 0)
-    throw InputError("motor.resistance", m.resistance, "needs a torque_constant");
+    throw InputError("motor.resistance", m.resistance,
+                     "needs torque_constant: add it, or leave resistance out");
 }
 
 void require_valid(const Mass& m, const std::string& part) {
@@ -127,7 +130,10 @@ void require_valid(const Mass& m, const std::string& part) {
   if (m.stiffness > 0) return;
   const auto need_shaft = [&](const char* key, double value, double none) {
     if (value != none)
-      throw InputError(part + key, value, "needs a stiffness: without one, the mass is rigid");
+      throw InputError(
+          part + key, value,
+          std::string("needs stiffness, without which the mass is rigid: add it, or leave ") + key +
+              " out");
   };
   need_shaft("damping", m.damping, 0);
   need_shaft("backlash", m.backlash, 0);
@@ -157,8 +163,10 @@ void require_valid(const Drive& drive) {
     throw InputError("pendulum.share", drive.pendulum->share,
                      "needs a mass from which the pendulum hangs");
   if (drive.controller.encoder_counts != 0 && drive.controller.cycle == 0)
-    throw InputError("controller.encoder_counts", drive.controller.encoder_counts,
-                     "needs a cycle: only a sampled controller has encoder counts");
+    throw InputError(
+        "controller.encoder_counts", drive.controller.encoder_counts,
+        "needs cycle, because only a sampled controller has encoder counts: add it, or leave "
+        "encoder_counts out");
 }
 
 Drive wittenstein_premo_2d() {
