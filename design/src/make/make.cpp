@@ -219,7 +219,7 @@ std::vector<Made> make_motions(const Spec& spec) {
   std::vector<Made> all;
   for (std::size_t i = 0; i < curves.size(); ++i) {
     choose_rule(spec, curves[i], parts[i].table);
-    std::vector<std::string> names = names_after(spec, curves[i], before.names_of(i));
+    std::vector<std::string> names = names_after(spec, curves[i], before.take_names(i));
     Sampled table = table_of_axis(spec, curves[i], parts[i], i, names);
     table.error.position += fits[i][0];
     table.error.velocity += fits[i][1];
@@ -227,7 +227,6 @@ std::vector<Made> make_motions(const Spec& spec) {
       table.error.position += before.path.axes.error[i][0];
       table.error.velocity += before.path.axes.error[i][1];
     }
-    std::vector<std::string> names = names_after(spec, curves[i], before.take_names(i));
     std::vector<Residual> residuals;
     if (!spec.then.empty()) residuals = residuals_of(spec, before.curves[i], curves[i]);
     all.push_back({parts[i],
