@@ -97,6 +97,12 @@ TEST(Notices, ReportTheNumbersOfAFault) {
   now.fault_value = 20700;
   EXPECT_THAT(fault_text(now, "mm", config),
               HasSubstr("It requires 20700 mm/s^2. The limit is acceleration = 10000 mm/s^2."));
+  now.fault = Cause::jump;
+  EXPECT_THAT(fault_text(now, "mm", config),
+              HasSubstr("The limit is stop_acceleration = 20000 mm/s^2."))
+      << "by default, twice the acceleration";
+  config.stop_acceleration = 15000;
+  EXPECT_THAT(fault_text(now, "mm", config), HasSubstr("stop_acceleration = 15000 mm/s^2."));
 }
 
 TEST(Notices, ARejectionNamesThePresentFault) {
