@@ -133,8 +133,8 @@ TEST(Notices, ARejectionNamesWhatTheSpecLacks) {
               HasSubstr("or [follow] to its own spec"));
   EXPECT_THAT(
       refusal_text({Cause::no_cut_plan}, {}, options),
-      HasSubstr(
-          "command an axis with one, or add cutter = \"FILE\" (a spec of kind knife or shear)"));
+      HasSubstr("send the command to an axis that has one, or add cutter = \"FILE\" (kind knife or "
+                "shear) to [axis]"));
   const Refusal input{Cause::no_trigger_input, 2, 0b110000};
   EXPECT_THAT(refusal_text(input, {}, options), HasSubstr("add [drive] to its spec"));
   options.follow = {.what = Follow::What::master};
