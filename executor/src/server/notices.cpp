@@ -39,11 +39,12 @@ std::string numbers_of(const Tick& now, const std::string& unit, const AxisConfi
       return required("/s") + limit("velocity", config.limits.velocity, "/s");
     case Cause::overacceleration:
       return required("/s^2") + limit("acceleration", config.limits.acceleration, "/s^2");
-    case Cause::jump:
-      return required("/s^2") + (config.stop_acceleration > 0
-                                     ? limit("stop_acceleration", config.stop_acceleration, "/s^2")
-                                     : limit("stop_acceleration, by default twice acceleration",
-                                             config.limits.acceleration, "/s^2"));
+    case Cause::jump: {
+      auto most = config.limits.acceleration;
+      if (most) *most *= 2;  // the default of stop_acceleration
+      if (config.stop_acceleration > 0) most = config.stop_acceleration;
+      return required("/s^2") + limit("stop_acceleration", most, "/s^2");
+    }
     case Cause::positive_soft_limit:
       return limit("position_max", config.limits.position_max);
     case Cause::negative_soft_limit:

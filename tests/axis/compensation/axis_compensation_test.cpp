@@ -255,7 +255,7 @@ std::string error_of(const AxisCompensation& spec, double modulo) {
 
 TEST(AxisCompensation, ATableThatCannotBeInvertedOrDoesNotCloseIsRejected) {
   const CompensationSpec steep{.axes = {{0, 1, 3}}, .values = {0, 0.6, 0}};
-  EXPECT_THAT(error_of({.table = steep, .own = 0}, 0), HasSubstr("must be at most 0.5"));
+  EXPECT_THAT(error_of({.table = steep, .own = 0}, 0), HasSubstr("at most 0.5 times is permitted"));
   EXPECT_EQ(error_of({.table = steep}, 0), "") << "another axis may change it quickly";
   const CompensationSpec turn{.axes = {{0, 90, 5}}, .values = {0.1, 0.2, 0, -0.1, 0.1}};
   EXPECT_EQ(error_of({.table = turn, .own = 0}, 360), "");

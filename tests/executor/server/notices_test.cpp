@@ -97,6 +97,12 @@ TEST(Notices, ReportTheNumbersOfAFault) {
   now.fault_value = 20700;
   EXPECT_THAT(fault_text(now, "mm", config),
               HasSubstr("It requires 20700 mm/s^2. The limit is acceleration = 10000 mm/s^2."));
+  now.fault = Cause::jump;
+  EXPECT_THAT(fault_text(now, "mm", config),
+              HasSubstr("The limit is stop_acceleration = 20000 mm/s^2."))
+      << "by default, twice the acceleration";
+  config.stop_acceleration = 15000;
+  EXPECT_THAT(fault_text(now, "mm", config), HasSubstr("stop_acceleration = 15000 mm/s^2."));
 }
 
 TEST(Notices, AFailedHomingNamesItsLimit) {
@@ -139,8 +145,8 @@ TEST(Notices, ARejectionNamesWhatTheSpecLacks) {
               HasSubstr("or [follow] to its own spec"));
   EXPECT_THAT(
       refusal_text({Cause::no_cut_plan}, {}, options),
-      HasSubstr(
-          "command an axis with one, or add cutter = \"FILE\" (a spec of kind knife or shear)"));
+      HasSubstr("send the command to an axis that has one, or add cutter = \"FILE\" (kind knife or "
+                "shear) to [axis]"));
   const Refusal input{Cause::no_trigger_input, 2, 0b110000};
   EXPECT_THAT(refusal_text(input, {}, options), HasSubstr("add [drive] to its spec"));
   options.follow = {.what = Follow::What::master};
