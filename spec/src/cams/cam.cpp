@@ -126,16 +126,15 @@ std::vector<std::string> law_names() {
   return names;
 }
 
-/// Throws InputError for a name that is not near a law, with its name here if it is a law of another tool.
+/// Throws InputError with the name of the law here, if the spec has its name in another tool.
 void refuse_alias(TomlReader& owner, const char* key) {
   if (!owner.is_text(key)) return;
   const auto text = owner.optional_text(key);
   if (const LawAlias* alias = law_alias(*text)) owner.fail(key, '"' + *text + '"', rule_of(*alias));
-  const std::vector<std::string> names = law_names();
-  if (std::find(names.begin(), names.end(), *text) == names.end() && nearest(*text, names).empty())
-    owner.fail(key, '"' + *text + '"',
-               "is not a law: `jounce laws` lists all, such as modified_sine or 345");
 }
+
+constexpr const char* no_law =
+    "is not a law: `jounce laws` lists all, such as modified_sine or 345";
 
 CamPoint read_point(TomlReader& point, const CamUnits& units) {
   CamPoint p;
@@ -157,7 +156,7 @@ const std::array<std::string, 3> boundaries{"rest", "minimum_jerk", "minimum_pea
 
 std::optional<Law> read_law(TomlReader& owner, const char* key) {
   refuse_alias(owner, key);
-  const auto chosen = owner.optional_choice(key, law_names());
+  const auto chosen = owner.optional_choice(key, law_names(), no_law);
   if (!chosen) return std::nullopt;
   return all_laws()[*chosen].law;
 }
@@ -300,7 +299,7 @@ CamSpec read_cam(TomlReader& top, const Units& of, Spec& spec) {
       segment.fail("law", "",
                    "is missing: add law = \"quintic\" (between any two knots), \"modified_sine\" "
                    "(from rest to rest), \"dwell\", or another law of `jounce laws`");
-    s.law = all_laws()[segment.choice("law", law_names())].law;
+    s.law = all_laws()[segment.choice("law", law_names(), no_law)].law;
     s.control = read_control(segment, s.law, of);
     const auto file = read_cam_points(segment, s.law, of);
     if (!file)

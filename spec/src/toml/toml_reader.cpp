@@ -46,11 +46,13 @@ constexpr double no_number =
     std::numeric_limits<double>::quiet_NaN();  ///< instead of a number that is not finite
 
 /// A long list of words is shown only if no word is near.
-std::string rule_of_choice(std::span<const std::string> permitted, const std::string& hint) {
+std::string rule_of_choice(std::span<const std::string> permitted, const std::string& hint,
+                           const char* unknown) {
   constexpr std::size_t most = 8;
   const std::string meant = hint.empty() ? "" : ": did you mean \"" + hint + "\"?";
   if (permitted.size() == 1) return "must be \"" + permitted[0] + '"';
   if (permitted.size() > most && !hint.empty()) return "is unknown" + meant;
+  if (unknown != nullptr && hint.empty()) return unknown;
   return "must be one of " + listed(permitted) + meant;
 }
 
@@ -325,7 +327,7 @@ std::optional<std::string> TomlReader::optional_text(const char* key) {
 
 /// `hint`: receives the permitted word that is meant, if there is one.
 std::size_t TomlReader::read_choice(const char* key, std::span<const std::string> permitted,
-                                    std::string& hint) {
+                                    std::string& hint, const char* unknown) {
   const toml::node& node =
       require(key, std::string(key) + " = \"WORD\", where WORD is one of " + listed(permitted));
   const auto given = node.value_exact<std::string>();
@@ -336,13 +338,14 @@ std::size_t TomlReader::read_choice(const char* key, std::span<const std::string
     if (permitted[i] == *given) return i;
   hint = nearest(*given, permitted);
   if (hint.empty()) hint = contained(*given, permitted);
-  fail(key, '"' + *given + '"', rule_of_choice(permitted, hint));
+  fail(key, '"' + *given + '"', rule_of_choice(permitted, hint, unknown));
 }
 
-std::size_t TomlReader::choice(const char* key, std::span<const std::string> permitted) {
+std::size_t TomlReader::choice(const char* key, std::span<const std::string> permitted,
+                               const char* unknown) {
   std::string hint;
   const std::size_t chosen =
-      or_else(key, permitted.size(), [&] { return read_choice(key, permitted, hint); });
+      or_else(key, permitted.size(), [&] { return read_choice(key, permitted, hint, unknown); });
   if (chosen < permitted.size()) return chosen;
   const auto meant = std::find(permitted.begin(), permitted.end(), hint);
   return meant != permitted.end() ? static_cast<std::size_t>(meant - permitted.begin())
@@ -350,9 +353,10 @@ std::size_t TomlReader::choice(const char* key, std::span<const std::string> per
 }
 
 std::optional<std::size_t> TomlReader::optional_choice(const char* key,
-                                                       std::span<const std::string> permitted) {
+                                                       std::span<const std::string> permitted,
+                                                       const char* unknown) {
   if (find(key) == nullptr) return std::nullopt;
-  return choice(key, permitted);
+  return choice(key, permitted, unknown);
 }
 
 std::size_t TomlReader::variant(const char* key, std::span<const std::string> permitted) {

@@ -132,10 +132,13 @@ class TomlReader {
   /// A text. The error of a missing key shows KEY = "word".
   std::string text(const char* key, const char* word = "TEXT");
   std::optional<std::string> optional_text(const char* key);
-  /// Returns the index of the key's text in `permitted`.
-  std::size_t choice(const char* key, std::span<const std::string> permitted);
+  /// Returns the index of the key's text in `permitted`. `unknown`: rule for a text that is near none of
+  /// them; by default, the rule lists all.
+  std::size_t choice(const char* key, std::span<const std::string> permitted,
+                     const char* unknown = nullptr);
   std::optional<std::size_t> optional_choice(const char* key,
-                                             std::span<const std::string> permitted);
+                                             std::span<const std::string> permitted,
+                                             const char* unknown = nullptr);
   /// Like choice(), for the text that determines the other keys of the table: see describe().
   std::size_t variant(const char* key, std::span<const std::string> permitted);
   /// Describes the table in the errors of finish(): `is not a key of WHAT`.
@@ -259,7 +262,7 @@ class TomlReader {
   double element(const char* key, const toml::array& array, std::size_t index,
                  const std::string& unit);
   std::size_t read_choice(const char* key, std::span<const std::string> permitted,
-                          std::string& hint);
+                          std::string& hint, const char* unknown = nullptr);
   void report(const InputError& error) const;
   void end_part(const InputError& error) const;
   [[nodiscard]] bool left_out(const char* key) const;
