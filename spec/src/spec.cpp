@@ -238,6 +238,14 @@ void read_axis(TomlReader& top, Spec& spec) {
   part([&] { axis.follow = spec_detail::read_whom(top); });
   part([&] {
     axis.registration = spec_detail::read_registration(top, spec.units, spec.master_unit);
+    if (axis.registration && !axis.cutter.empty())
+      top.fail(
+          "registration", "",
+          "cannot be combined with axis.cutter: a correction would move the cutter against the "
+          "web in its cuts, so leave out one of the two. Without the cutter, send its cam with "
+          "`jounce stream --live`, and the axis corrects it between the cuts. Without the "
+          "registration, a program sends the distance of two marks with `jounce order NAME cut "
+          "--length LENGTH`");
   });
   part(
       [&] { axis.compensation = spec_detail::read_axis_compensation(top, spec.units, spec.name); });
