@@ -161,7 +161,7 @@ TEST_F(MachineParts, HaveTheCutterThatTheirSpecNames) {
               testing::HasSubstr("shear.line_speed = 60 m/min: must be at most 42 m/min"));
   EXPECT_THAT(error_of(shear("mm", master)),
               testing::HasSubstr("shear.safety = 1: must be at least 1.0259"));
-  EXPECT_EQ(error_of(shear("mm", "safety = 1.1\n" + master)), "");
+  EXPECT_EQ(error_of(shear("mm", "safety = 1.03\n" + master)), "");
 }
 
 TEST_F(MachineParts, FollowEachOtherByName) {
