@@ -384,6 +384,10 @@ constexpr std::array entries{
     Entry{Cause::cut_too_far, "cut_too_far",
           "The cut is too far ahead: at most 1000 planned cuts may come before it.",
           "Give a nearer position."},
+    Entry{Cause::in_cut_plan, "in_cut_plan",
+          "The axis plays a plan of cuts: a shift would move its cutter against the web.",
+          "To move all later cuts along the web, make one piece longer or shorter: `jounce order "
+          "NAME cut --waste LENGTH`."},
     Entry{Cause::web_stands, "web_stands",
           "The web does not move forward, so no next cut is possible at once.",
           "Give the position of the cut (--position), or repeat the command when the web moves "

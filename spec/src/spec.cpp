@@ -148,7 +148,18 @@ double default_distance(const MasterSpec& master, const MasterRun& run) {
   return *run.length * (1 + std::ceil(ramps / *run.length - cycle_rounding));
 }
 
-std::optional<MasterSpec> read_master(TomlReader& top, const Spec& spec) {
+/// A shear that makes a list of cuts reserves acceleration for a line that changes its speed. Returns true if
+/// this may change the length of its cam.
+bool reserve_for(const MasterSpec& master, Spec& spec) {
+  auto* const sync = std::get_if<SyncSpec>(&spec.subject);
+  auto* const cuts = sync == nullptr ? nullptr : std::get_if<CutListSpec>(sync);
+  if (cuts == nullptr || !(master.acceleration.value_or(0) > 0)) return false;
+  cuts->line = {master.velocity, {.acceleration = *master.acceleration}, spec.slave};
+  (void)sync_cam_of(*sync);  // throws for a piece that is now too short
+  return true;
+}
+
+std::optional<MasterSpec> read_master(TomlReader& top, Spec& spec) {
   auto table = top.optional_table("master");
   if (!table) return std::nullopt;
   const MasterRun run = master_run(top, spec);
@@ -158,7 +169,8 @@ std::optional<MasterSpec> read_master(TomlReader& top, const Spec& spec) {
       table->optional_number("acceleration", rate_unit(spec.units.x, spec.time_unit, 2));
   const auto distance = run.length ? table->optional_number("distance", spec.units.x)
                                    : table->number("distance", spec.units.x);
-  master.distance = distance ? *distance : default_distance(master, run);
+  const MasterRun travel = reserve_for(master, spec) ? master_run(top, spec) : run;
+  master.distance = distance ? *distance : default_distance(master, travel);
   for (const auto& [key, value] :
        {std::pair{"acceleration", master.acceleration.value_or(1)}, {"distance", master.distance}})
     if (!(value > 0)) table->fail(key, number(value), "must be greater than 0");
@@ -235,6 +247,14 @@ void read_axis(TomlReader& top, Spec& spec) {
   part([&] { axis.follow = spec_detail::read_whom(top); });
   part([&] {
     axis.registration = spec_detail::read_registration(top, spec.units, spec.master_unit);
+    if (axis.registration && !axis.cutter.empty())
+      top.fail(
+          "registration", "",
+          "cannot be combined with axis.cutter: a correction would move the cutter against the "
+          "web in its cuts, so leave out one of the two. Without the cutter, send its cam with "
+          "`jounce stream --live`, and the axis corrects it between the cuts. Without the "
+          "registration, a program sends the distance of two marks with `jounce order NAME cut "
+          "--length LENGTH`");
   });
   part(
       [&] { axis.compensation = spec_detail::read_axis_compensation(top, spec.units, spec.name); });

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -180,6 +181,33 @@ TEST(LiveRegistration, CorrectsAShareOfTheErrorWithAGain) {
   EXPECT_EQ(run.last[0], -0.5);
   run.run(800, {656.0});
   EXPECT_EQ(run.last[0], -0.75);
+}
+
+TEST(LiveRegistration, AMissingMarkLeavesTheCorrectionAsItIs) {
+  LiveRegistrationSpec half = film();
+  half.gain = 0.5;
+  for (const auto& [spec, error, corrected] :
+       {std::tuple{half, 2.0, 1.0}, {film(), 5.0, 2.0}, {film(CorrectionOf::master), 5.0, 2.0}}) {
+    Film run(spec);
+    run.run(600, {255 + error});
+    EXPECT_EQ(run.last[0], -corrected);
+    run.run(1400, {});
+    EXPECT_EQ(run.last[0], -corrected) << "two products without a mark";
+    EXPECT_EQ(run.marks.reading().missed, 2);
+  }
+}
+
+// The mark passes at 256, and its report arrives inside the window of the correction.
+TEST(LiveRegistration, ALateMarkIsCorrectedOnceInTheNextProduct) {
+  Film run(film());
+  run.run(300, {});
+  run.marks.step({301, 1000, 0, 0}, 301, std::vector<double>{256});
+  run.run(600, {});
+  EXPECT_EQ(run.last[0], 0);
+  run.run(800, {});
+  EXPECT_EQ(run.last[0], -1);
+  run.run(1200, {});
+  EXPECT_EQ(run.last[0], -1);
 }
 
 TEST(LiveRegistration, RejectsInvalidSpecsByTheirKeys) {

@@ -162,6 +162,17 @@ TEST_F(MachineParts, HaveTheCutterThatTheirSpecNames) {
               testing::HasSubstr("must be a spec of kind \"knife\" or \"shear\""));
   EXPECT_THAT(error_of(shear("mm"), 1100), testing::HasSubstr("cutter.toml"))
       << "with the lower limit of the axis, 1000 mm is too short";
+  // [master] gives the speed of the line, so the message names its key.
+  const std::string master = "[master]\nvelocity = 800\nacceleration = 500\n";
+  EXPECT_THAT(
+      error_of(shear("mm", master), 700),
+      testing::AllOf(testing::HasSubstr("master.velocity = 800 mm/s: must be at most 700 mm/s"),
+                     testing::Not(testing::HasSubstr("line_speed"))));
+  EXPECT_THAT(error_of(shear("mm"), 700),
+              testing::HasSubstr("shear.line_speed = 60 m/min: must be at most 42 m/min"));
+  EXPECT_THAT(error_of(shear("mm", master)),
+              testing::HasSubstr("shear.safety = 1: must be at least 1.0259"));
+  EXPECT_EQ(error_of(shear("mm", "safety = 1.03\n" + master)), "");
 }
 
 TEST_F(MachineParts, FollowEachOtherByName) {

@@ -238,6 +238,8 @@ TEST(RegistrationPlay, AMistakeInTheSpecIsNamedWithItsKey) {
   EXPECT_THAT(error_with({{"most = 2 ", "ratio = 1\nmost = 2 "}}),
               HasSubstr("of = \"slave\" only"));
   EXPECT_THAT(error_with({{"width = 4", "width = 300"}}), HasSubstr("half the distance"));
+  EXPECT_THAT(error_with({{"cycle = ", "cutter = \"knife.toml\"\ncycle = "}}),
+              HasSubstr("cylinder.toml:17:1: registration: cannot be combined with axis.cutter"));
   EXPECT_THAT(error_with({{"of = \"master\"", "of = \"film\""}}), HasSubstr("of"));
 }
 

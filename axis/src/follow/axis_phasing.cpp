@@ -10,6 +10,7 @@ namespace jounce {
 MotionAxis::Impl::Rejection MotionAxis::Impl::shift_phase(double target,
                                                           const MoveDynamics& dynamics) {
   if (base_ != Base::live) return Refusal{Cause::no_master_input};
+  if (live_->cuts() != nullptr) return Refusal{Cause::in_cut_plan};
   if (!std::isfinite(target)) return Refusal{Cause::no_value, target};
   const Peaks engaging = live_->peaks();
   const Peaks above = above_.peaks();

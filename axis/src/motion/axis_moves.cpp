@@ -70,6 +70,7 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::superimpose(double distance,
                                                           const MoveDynamics& dynamics) {
   if (on_path() && !path_.steady(now_.tick)) return Refusal{.cause = Cause::rate_changing};
   if (path_.swaps() || passes()) return Refusal{.cause = Cause::in_motion};
+  if (base_ == Base::live && live_->cuts() != nullptr) return Refusal{.cause = Cause::in_cut_plan};
   const auto end = expected_end();
   return above_.begin(now_.tick, distance, dynamics, beneath(),
                       end ? std::optional(end->position) : std::nullopt);

@@ -282,7 +282,7 @@ void MotionAxis::Impl::begin_pending(const Moment& at) {
   if (const auto refusal = live ? against_jump() : std::nullopt) return drop(*refusal);
   const ArmedMotion begun = std::exchange(armed_, {});
   const bool was_moving = moving();
-  const bool was_live = base_ == Base::live;
+  const bool was_registered = is_registered();
   drop_movement();
   forget_next();
   held_ = false;
@@ -292,7 +292,7 @@ void MotionAxis::Impl::begin_pending(const Moment& at) {
   if (live) {
     base_ = Base::live;
     live_.begin(*begun.movement(), now_.tick);
-    if (registration_ && !was_live) registration_->begin(inputs_.master[0]);
+    if (is_registered() && !was_registered) registration_->begin(inputs_.master[0]);
   } else {
     // At full speed, path time is bit for bit ticks * period since the tick of the start.
     const double ahead = begun.when() == StartAt::tick ? 0 : -at.t;

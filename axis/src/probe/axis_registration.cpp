@@ -14,11 +14,17 @@ void MotionAxis::Impl::remember_master() {
   master_seen_.add(dt(), inputs_.master[0], inputs_.master[1]);
 }
 
+/// True if the registration corrects the present motion. It does not correct a plan of cuts, whose
+/// cutter must stay in step with the web.
+bool MotionAxis::Impl::is_registered() const {
+  return registration_ && base_ == Base::live && live_->cuts() == nullptr;
+}
+
 /// Steps the registration. A correction of the master is added to the input of this tick, so that
 /// every part of the axis sees the corrected master.
 void MotionAxis::Impl::register_marks() {
   phase_ = {};
-  if (!registration_ || base_ != Base::live) return;
+  if (!is_registered()) return;
   const LiveRegistrationSpec& spec = registration_->spec();
   std::array<double, Triggers::most_changes> marks{};
   std::size_t count = 0;
@@ -35,16 +41,15 @@ void MotionAxis::Impl::register_marks() {
   for (std::size_t k = 0; k < phase_.size(); ++k) inputs_.master[k] += phase_[k];
 }
 
-/// Only a motion that follows the master has a corrected master.
+/// Only a registered motion has a corrected master.
 void MotionAxis::Impl::end_of_marks() {
-  if (base_ == Base::live) return;
+  if (is_registered()) return;
   for (std::size_t k = 0; k < phase_.size(); ++k) last_master_[k] -= phase_[k];
 }
 
 /// Adds a correction of the slave to its setpoint.
 void MotionAxis::Impl::add_correction(Setpoint& next) const {
-  const bool of_slave = registration_ && registration_->spec().add_to == CorrectionOf::slave;
-  if (!of_slave || base_ != Base::live) return;
+  if (!is_registered() || registration_->spec().add_to != CorrectionOf::slave) return;
   for (std::size_t k = 0; k < next.slave.size(); ++k)
     next.slave[k] += registration_->correction()[k];
 }

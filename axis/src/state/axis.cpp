@@ -197,7 +197,7 @@ Cause MotionAxis::Impl::advance_live(Setpoint& next) {
     live_.add_pass(*end, now_.tick, now_.profile);
   next = live_.at(moment(), now_.tick);
   live_.add_events(now_.tick, now_.profile);
-  const bool fails = registration_ && registration_->spec().on_loss == MarkLoss::fault;
+  const bool fails = is_registered() && registration_->spec().on_loss == MarkLoss::fault;
   if (fails && registration_->reading().lost) return Cause::marks_lost;
   if (live_->progress() != Progress::broken) return Cause::none;
   return is_fault(live_->cause()) ? live_->cause() : Cause::master_lost;

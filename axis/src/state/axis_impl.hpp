@@ -143,6 +143,7 @@ class MotionAxis::Impl {
 
   // axis_registration.cpp: positions of the last ticks, touch probes, registration
   void remember_master();
+  [[nodiscard]] bool is_registered() const;
   void register_marks();
   void end_of_marks();
   void add_correction(Setpoint& next) const;

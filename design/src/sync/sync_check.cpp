@@ -202,7 +202,7 @@ CutSpeed slowest_piece(const CutListSpec& cuts, const Spec& spec) {
 }
 
 std::vector<SyncFigure> figures_of(const CutListSpec& cuts, const Spec& spec) {
-  const Cutter cutter(cuts.machine);
+  const Cutter cutter(cuts.machine, cuts.line);
   const std::string& m = spec.units.x;
   double pass = 0;
   for (std::size_t i = 0; i < cuts.list.size(); ++i) pass += cuts.list[i];

@@ -58,7 +58,7 @@ void require_valid(const CutList& list, const Cutter& cutter) {
 }
 
 SyncCam cut_list(const CutListSpec& spec) {
-  const Cutter cutter(spec.machine);
+  const Cutter cutter(spec.machine, spec.line);
   require_valid(spec.list, cutter);
   const bool shear = !(cutter.turn() > 0);
   Cutter::Parts parts;

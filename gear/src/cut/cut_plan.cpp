@@ -10,6 +10,8 @@
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
+#include "gear/src/cut/shear_line.hpp"
+
 namespace jounce {
 namespace {
 
@@ -34,10 +36,16 @@ void require_possible(const std::string& key, double length, const CutTask& task
                : "the longest possible piece has " + six_digits_down(task.possible.back().to)));
 }
 
+std::vector<CutRange> possible_for(const CutJob& job, const Cutter& cutter) {
+  if (const auto* shear = std::get_if<FlyingShear>(&job.spec.machine))
+    gear_detail::require_reserve(*shear, cutter, job.line);
+  return possible_lengths(cutter, job.line);
+}
+
 }  // namespace
 
 CutTask::CutTask(const CutJob& job)
-    : cutter(job.spec.machine), list(job.spec.list), possible(possible_lengths(cutter, job.line)) {
+    : cutter(job.spec.machine, job.line), list(job.spec.list), possible(possible_for(job, cutter)) {
   require_valid(list, cutter);
   for (std::size_t i = 0; i < list.lengths.size(); ++i)
     require_possible("lengths[" + std::to_string(i + 1) + "]", list.lengths[i], *this,

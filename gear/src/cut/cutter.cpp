@@ -12,6 +12,7 @@
 #include "jounce/profiles/error.hpp"
 
 #include "gear/src/cut/knife_parts.hpp"
+#include "gear/src/cut/line_bounds.hpp"
 #include "gear/src/ratio/rest_to_rest.hpp"
 
 // The motion from a cut to the next one over the length L has three parts:
@@ -25,8 +26,13 @@
 
 namespace jounce {
 
+using gear_detail::change;
 using gear_detail::Knife;
 using gear_detail::KnifeShape;
+using gear_detail::least_factor;
+using gear_detail::permits;
+using gear_detail::speed_of;
+using gear_detail::stretched;
 using profiles_detail::rounded_input;
 
 struct Cutter::Shape {
@@ -81,9 +87,19 @@ double length_of(const std::vector<Segment>& segments) {
   return length;
 }
 
+constexpr int grid_of_lengths = 64;
+
+/// The least factor of the length of a return, so that it keeps the limits of the carriage while the
+/// line changes its speed.
+double return_factor(const std::vector<Segment>& back, const CutLine& line) {
+  if (!(line.rates.acceleration > 0 || line.rates.jerk > 0)) return 1;
+  return least_factor(
+      [&](double factor) { return speed_of(stretched(back, factor, 1), line) >= line.speed; });
+}
+
 }  // namespace
 
-Cutter::Cutter(const CutMachine& machine) {
+Cutter::Cutter(const CutMachine& machine, const CutLine& line) {
   const auto knife_shape = [](RotaryKnifeSpec spec) {
     spec.cut_length = std::numbers::pi * spec.diameter / static_cast<double>(spec.blades) /
                       spec.speed_ratio;  // always longer than the sync zone
@@ -108,7 +124,7 @@ Cutter::Cutter(const CutMachine& machine) {
     if (!spec.dwell) shape.longest = knife.longest() * (1 + rounded_input);
     return shape;
   };
-  const auto shear_shape = [](FlyingShear spec) {
+  const auto shear_shape = [&line](FlyingShear spec) {
     if (!spec.sync_time && !spec.sync_length)
       throw InputError("sync_time", "",
                        "is missing: give sync_time or sync_length. Without them, the sync depends "
@@ -120,11 +136,14 @@ Cutter::Cutter(const CutMachine& machine) {
     std::vector<Segment> tail = named_segments(cam, {"accelerate"});
     std::vector<Segment> back = named_segments(cam, {"return"});
     const double run_up = length_of(tail);
-    const double way_home = length_of(back);
+    double way_home = length_of(back);
     Shape shape{.head = joined_at(named_segments(cam, {"sync", "decelerate"}), 0),
                 .tail = joined_at(std::move(tail), -run_up)};
     for (double at = 0; const Segment& segment : back)
       shape.back_from.push_back(std::exchange(at, at + segment.length) / way_home);
+    if (const double factor = spec.return_length ? 1 : return_factor(back, line);
+        std::isfinite(factor))
+      way_home *= factor;
     shape.back = std::move(back);
     shape.home_middle = shape.way_home = way_home;
     shape.sync_after = plan.sync;
@@ -276,33 +295,6 @@ void Cutter::add_piece(Parts& to, double length, double offset) const {
   add_approach(to, offset + shape_->turn);
 }
 
-// ---- limits ------------------------------------------------------------------------------------
-
-namespace {
-
-constexpr double bound_resolution = 1e-13;  ///< relative resolution of a bound
-constexpr int grid_of_lengths = 64;
-
-/// The greatest speed of the line for these segments.
-double speed_of(Cutter::Parts parts, const CutLine& line) {
-  const Cam cam(std::move(parts.segments));  // no rest outside: it begins and ends in motion
-  return greatest_master_velocity(cam, line.slave, line.rates).value;
-}
-
-/// The length between `from` and `to` at which `can` changes: the end at which it is true.
-template <class Can>
-double change(double from, double to, Can&& can) {
-  const bool before = can(from);
-  while (to - from > bound_resolution * to) {
-    const double middle = from + (to - from) / 2;
-    if (middle == from || middle == to) break;
-    (can(middle) == before ? from : to) = middle;
-  }
-  return before ? from : to;
-}
-
-}  // namespace
-
 std::vector<CutRange> possible_lengths(const Cutter& cutter, const CutLine& line) {
   require_positive("line_speed", line.speed);
   const double home = cutter.approach() + cutter.retreat();
@@ -310,13 +302,14 @@ std::vector<CutRange> possible_lengths(const Cutter& cutter, const CutLine& line
   const auto can = [&](double length) {
     Cutter::Parts parts;
     cutter.add_piece(parts, length, 0);
-    return speed_of(std::move(parts), line) >= least;
+    return permits(std::move(parts.segments), line);
   };
   Cutter::Parts from_home;
   cutter.add_approach(from_home, 0);
   Cutter::Parts to_home;
   cutter.add_retreat(to_home, 0);
-  const double fastest = std::min(speed_of(from_home, line), speed_of(to_home, line));
+  const double fastest = std::min(speed_of(std::move(from_home.segments), line),
+                                  speed_of(std::move(to_home.segments), line));
   const bool shear = !(cutter.turn() > 0);
   if (!(fastest >= least))
     throw InputError(
@@ -324,7 +317,7 @@ std::vector<CutRange> possible_lengths(const Cutter& cutter, const CutLine& line
         "must be at most " + six_digits_down(fastest) + (shear ? " with this cam" : "") +
             ": above this speed of the line, the way from home to a cut and back exceeds a limit "
             "of the slave" +
-            (shear ? ". Or lengthen this way: raise safety, and give a longer return_length" : ""));
+            (shear ? ". Or lengthen this way: give a greater safety and return_length" : ""));
   if (shear) return {{cutter.shortest()}};  // the bound of its plan
   std::vector<double> lengths;
   const double low = cutter.shortest() * (1 + rounded_input);

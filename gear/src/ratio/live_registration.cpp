@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "jounce/cam/coupling/followed.hpp"
 #include "jounce/profiles/detail/six_digits.hpp"
@@ -60,7 +61,7 @@ LiveRegistration::LiveRegistration(const LiveRegistrationSpec& spec)
 
 void LiveRegistration::begin(double master) noexcept {
   shift_ = needed_ = applied_ = step_ = 0;
-  found_ = moving_ = false;
+  found_ = moving_ = fresh_ = false;
   misses_ = 0;
   last_ = master;
   // The windows of these products have ended, or have begun, at this position.
@@ -95,7 +96,7 @@ void LiveRegistration::take(double mark) noexcept {
   product_ = product;
   now_.deviation = mark - spec_.mark - product * spec_.period;  // (1)
   needed_ = -(of_master_ ? 1 : spec_.ratio) * now_.deviation;
-  found_ = true;
+  found_ = fresh_ = true;
   now_.lost = false;
   misses_ = 0;
   ++now_.marks;
@@ -127,7 +128,7 @@ void LiveRegistration::plan(double x) noexcept {
   const double phase = of_master_ ? applied_ : 0;
   const double product = std::floor((x + phase - window.window_from) / spec_.period);
   const double start = product * spec_.period + window.window_from - phase;
-  if (!(last_ < start && start <= x)) return;
+  if (!(last_ < start && start <= x) || !std::exchange(fresh_, false)) return;
   const double wanted = spec_.gain * (needed_ - applied_);
   step_ = corrected(window, {applied_, 0}, wanted).step;  // (2)
   if (step_ == 0) return;

@@ -43,12 +43,18 @@ CutJob job_of(const Spec& cutter, const CutListSpec& list, const Limits& axis) {
   return job;
 }
 
-/// The error with the key of the document.
-InputError in_cutter(const InputError& error, bool shear) {
-  const std::string& key = error.key();
-  if (key.starts_with("master.") || key.starts_with("limits.")) return error;
-  if (key == "line_speed" && !shear) return {"master.velocity", error.value(), error.rule()};
-  return {(shear ? "shear." : "knife.") + key, error.value(), error.rule()};
+/// The error with the keys of the document. The velocity of [master] takes the place of line_speed.
+InputError in_cutter(const InputError& error, const Document& document, bool shear) {
+  const std::string speed = "line_speed";
+  const std::string velocity = "master.velocity";
+  const bool has_master = !shear || document.places.contains(velocity);
+  std::string key = error.key();
+  std::string rule = error.rule();
+  for (std::size_t at = 0; has_master && (at = rule.find(speed, at)) != std::string::npos;)
+    rule.replace(at, speed.size(), velocity);
+  if (key == speed && has_master) key = velocity;
+  const bool whole = key.starts_with("master.") || key.starts_with("limits.");
+  return {whole ? key : (shear ? "shear." : "knife.") + key, error.value(), rule};
 }
 
 }  // namespace
@@ -80,7 +86,7 @@ std::optional<ExecutorCutter> machine_cutter(const Spec& axis, const AxisConfig&
                            {cutter.units.x, cutter.units.position});
   } catch (const InputError& error) {
     throw cutter.document.located(
-        in_cutter(error, std::holds_alternative<FlyingShear>(list->machine)));
+        in_cutter(error, cutter.document, std::holds_alternative<FlyingShear>(list->machine)));
   }
 }
 

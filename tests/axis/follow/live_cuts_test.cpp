@@ -80,7 +80,12 @@ struct Site {
 
   Tick step(const Command& command = {}) {
     const Jet web = line(static_cast<double>(bench.tick + 1) * dt);
-    const Tick tick = bench.step(command, {.master = web});
+    Inputs inputs{.master = web};
+    Triggers& triggers = inputs.feedback.triggers;
+    for (const double mark : marks)
+      if (!log.empty() && log.back().web < mark && mark <= web[0])
+        triggers.change[triggers.count++] = {.input = 1, .rising = true};
+    const Tick tick = bench.step(command, inputs);
     log.push_back({web[0], web[1], tick});
     return tick;
   }
@@ -105,6 +110,7 @@ struct Site {
   LiveCuts cuts;
   Bench bench;
   std::function<Jet(double)> line = [](double t) { return line_at(t, 1000, 1000); };
+  std::vector<double> marks;  // positions of print marks on the web, which a sensor reports
   std::vector<Row> log;
 };
 
@@ -237,6 +243,54 @@ TEST(LiveCuts, RejectionsHaveTheirNumbers) {
       << "a piece of 1300 ends at that cut";
   EXPECT_EQ(refusal(site.step({command::Park{}})), Cause::none);
   EXPECT_EQ(refusal(site.step({command::Cut{.length = 1300}})), Cause::no_cut_plan);
+}
+
+TEST(LiveCuts, NoShiftMovesTheCutterAgainstTheWeb) {
+  for (const Machine& machine : {shear(), knife()}) {
+    Site site(machine, {.lengths = {1300}});
+    site.start();
+    site.until([&] { return site.cuts.plan().cuts() == 1; });
+    const double first = site.cuts.plan().last_cut();
+    for (int i = 0; i < 40; ++i) {
+      const double by = i % 2 == 0 ? 0.5 : -40;
+      EXPECT_EQ(refusal(site.step({command::PhasingRelative{by, {}}})), Cause::in_cut_plan);
+      EXPECT_EQ(refusal(site.step({command::PhasingAbsolute{by, {.velocity = 1}}})),
+                Cause::in_cut_plan);
+      EXPECT_EQ(refusal(site.step({command::MoveSuperimposed{by, {}}})), Cause::in_cut_plan);
+      site.run(30);
+    }
+    // The remedy: one piece is 10 mm longer, and all later cuts move by 10 mm.
+    const double next = site.cuts.plan().next_cut();
+    EXPECT_EQ(refusal(site.step({command::Cut{.waste = 1310}})), Cause::none);
+    site.until([&] { return site.cuts.plan().last_cut() > next + 3900; });
+    std::vector<double> cuts{next + 1310, next + 2610, next + 3910};
+    for (double cut = next; cut > first - 1; cut -= 1300) cuts.push_back(cut);
+    judge(site, cuts);
+  }
+}
+
+// Marks that drift by 3 mm, and a window of the correction in the sync zone. The machine file rejects this
+// pair (registration_play_test.cpp).
+TEST(LiveCuts, RegistrationDoesNotMoveTheCutterAgainstTheWeb) {
+  for (Machine machine : {shear(), knife()})
+    for (const CorrectionOf side : {CorrectionOf::master, CorrectionOf::slave}) {
+      const double first = Cutter(machine.cutter).approach();
+      const double unit = side == CorrectionOf::slave ? machine.slope : 1;
+      LiveRegistrationSpec spec{.period = 1300, .mark = first - 100, .window = 5, .search = 60};
+      spec.correction = {.window_from = first - 50, .window_length = 100, .most = 2 * unit};
+      spec.add_to = side;
+      spec.ratio = unit;
+      spec.on_loss = MarkLoss::hold;
+      machine.config.registration = spec;
+      Site site(machine, {.lengths = {1300}});
+      std::vector<double> cuts;
+      for (int k = 0; k < 6; ++k) site.marks.push_back(first - 100 + 1300 * k + 3 * (k + 1));
+      site.start();
+      for (int k = 0; k < 6; ++k) cuts.push_back(site.cuts.plan().next_cut() + 1300 * k);
+      site.until([&] { return site.cuts.plan().cuts() == 6; });
+      judge(site, cuts);
+      EXPECT_EQ(site.log.back().tick.registration.correction, 0);
+    }
 }
 
 TEST(LiveCuts, LineAtRestOrBackwards) {

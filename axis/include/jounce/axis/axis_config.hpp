@@ -63,7 +63,8 @@ struct AxisConfig {
   HomingSpec homing = {};     ///< homing that the command Home uses
   bool require_home = false;  ///< reject motions to absolute positions until the axis is homed
 
-  /// Registration of every motion that follows the live master; nullopt: none.
+  /// Registration of every motion that follows the live master, except a plan of cuts; nullopt:
+  /// none.
   std::optional<LiveRegistrationSpec> registration = {};
   /// Correction table that the command EnableCompensation switches on; nullopt: none.
   std::optional<AxisCompensation> compensation = {};

@@ -143,6 +143,7 @@ enum class Cause : std::uint8_t {
 
   // Cuts: rejected commands.
   cut_too_far = 117,
+  in_cut_plan = 118,
 };
 
 /// Returns the word for logs, messages and docs/reference/messages.md: "aborted", "not_armed", ...

@@ -31,6 +31,7 @@ struct CutList {
 struct CutListSpec {
   CutMachine machine = {};
   CutList list = {};
+  CutLine line = {};  ///< line of the Cutter of cut_list(), if it changes its speed
 };
 
 /// Throws InputError, for the key "lengths", "first" or "waste", if the cutter cannot make a piece

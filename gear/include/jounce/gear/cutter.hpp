@@ -19,6 +19,13 @@ namespace jounce {
 /// A machine that cuts a moving web. A Cutter does not use its `cut_length`.
 using CutMachine = std::variant<RotaryKnifeSpec, FlyingShear>;
 
+/// The fastest line that a cutter must follow, and the limits of its slave.
+struct CutLine {
+  double speed = 0;        ///< m/s, > 0
+  MasterRates rates = {};  ///< greatest acceleration and jerk of the line
+  Limits slave = {};       ///< limits over time: u/s, u/s^2, u/s^3
+};
+
 /// The motion of a rotary knife or a flying shear between cuts at any positions of the web.
 ///
 ///     const Cutter knife(RotaryKnifeSpec{.diameter = 3, .sync_angle = 0.17, .dwell = true});
@@ -44,7 +51,11 @@ class Cutter {
  public:
   /// Throws InputError like rotary_knife() and flying_shear(), and for a shear whose sync depends
   /// on the cut length (neither sync_time nor sync_length is given).
-  explicit Cutter(const CutMachine& machine);
+  ///
+  /// `line`: the line, if it changes its speed. The way home of a shear without `return_length` is
+  /// then the shortest one with which the slave keeps its limits on this line, but not shorter than
+  /// at a constant speed.
+  explicit Cutter(const CutMachine& machine, const CutLine& line = {});
   ~Cutter();
   Cutter(Cutter&&) noexcept;
   Cutter& operator=(Cutter&&) noexcept;
@@ -93,13 +104,6 @@ class Cutter {
                   const char* name) const;
 
   std::unique_ptr<const Shape> shape_;
-};
-
-/// The fastest line that a cutter must follow, and the limits of its slave.
-struct CutLine {
-  double speed = 0;        ///< m/s, > 0
-  MasterRates rates = {};  ///< greatest acceleration and jerk of the line
-  Limits slave = {};       ///< limits over time: u/s, u/s^2, u/s^3
 };
 
 /// A range of lengths, m.

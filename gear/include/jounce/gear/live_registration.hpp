@@ -73,9 +73,9 @@ struct RegistrationReading {
 ///
 /// f is the law, x0 the start of the window of the correction, b its length (b - s for
 /// CorrectionOf::master, so the window ends at the same place of the phase). After the window, a
-/// grows by s. A mark is expected at k L + p + d, with the deviation d of the previous mark. A mark
-/// further away than `window` is a stray, and so is a second mark of a product: both have no
-/// effect.
+/// grows by s. Each mark has one correction, in the next window: without a new mark, c stays. A
+/// mark is expected at k L + p + d, with the deviation d of the previous mark. A mark further away
+/// than `window` is a stray, and so is a second mark of a product: both have no effect.
 ///
 /// The master may stand or reverse: inside a window, c depends only on x. A correction whose window
 /// has ended is not taken back.
@@ -120,6 +120,7 @@ class LiveRegistration {
   bool found_ = false;            // true if the place of the next mark is known
   int misses_ = 0;                // in succession
   double needed_ = 0;             // whole correction that the last mark requires, c
+  bool fresh_ = false;            // true if no window of the correction has used needed_
   double applied_ = 0;            // c
   double last_ = 0;               // position of the master in the previous cycle, m
   bool moving_ = false;           // true inside a window with a correction step
