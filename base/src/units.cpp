@@ -38,7 +38,7 @@ class System {
     }
     constexpr double pi = 3.14159265358979323846;
     define("mm", 1e-3, "m"), define("um", 1e-6, "m"), define("cm", 1e-2, "m"),
-        define("in", 0.0254, "m");
+        define("in", 0.0254, "m"), define("ft", 0.3048, "m"), define("yd", 0.9144, "m");
     define("deg", pi / 180, "rad"), define("rev", 2 * pi, "rad");
     define("arcmin", pi / 10800, "rad"), define("arcsec", pi / 648000, "rad");
     define("count", 1, "pulse"), define("inc", 1, "pulse");
@@ -90,9 +90,10 @@ const System& units() {
 Unit require_unit(std::string_view text) {
   Unit unit = units().parse(text);
   if (!unit)
-    throw InputError("unit", std::string(text),
-                     "is not a known unit; known are m mm um cm in, rad deg rev, pulse, s ms us ns "
-                     "min h, kg g, N J W, Hz kHz MHz, rpm cpm, A V ohm and their products");
+    throw InputError(
+        "unit", std::string(text),
+        "is not a known unit; known are m mm um cm in ft yd, rad deg rev, pulse, s ms us ns "
+        "min h, kg g, N J W, Hz kHz MHz, rpm cpm, A V ohm and their products");
   return unit;
 }
 

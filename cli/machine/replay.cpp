@@ -67,7 +67,7 @@ void add_replay(CommandLine& line) {
   verb.option("--csv", options->csv, "Recorded ticks to write, in the format of `jounce run --log`")
       .check(output_file());
   verb.option("--last", options->last,
-              "Number of last cycles to write; default: 5000 for --plot, all for --csv")
+              "Number of last cycles to write; default: the last motion for --plot, all for --csv")
       .check(whole(1, 10'000'000));
   verb.flag("--json", options->json, "Result as JSON");
   verb.work([options] { return run_replay(*options); });

@@ -44,4 +44,4 @@ plt.savefig("stream.png")
 # Output:
 #   standstill 20.000 mm
 #   standstill 70.000 mm
-#   refused axis
+#   refused velocity_limit

@@ -48,7 +48,7 @@ class AxisError(RuntimeError):
         self.error = error
         """Kind of the failure: "refused", "no_answer", "contact_lost", ..."""
         self.refusal = refusal
-        """Reason of the executor as a word, if it rejected the call."""
+        """Reason as a word, if the call was rejected: "position_limit", "busy", ..."""
         self.cause = cause
         """Number of the cause on the axis; 0: none."""
 

@@ -269,7 +269,7 @@ void bind_queue(py::module_& m) {
             {{"begin", shown(r.begin)}, {"end", shown(r.end)}, {"target", shown(r.target)}});
       });
   py::class_<QueuedMotion>(m, "QueuedMotion", "A queue of commands, planned as one motion.")
-      .def_readonly("trajectory", &QueuedMotion::trajectory, "The motion, from 0 s.")
+      .def_readonly("curve", &QueuedMotion::trajectory, "The motion, from 0 s.")
       .def_readonly("commands", &QueuedMotion::commands, "A CommandRecord for each command.")
       .def_property_readonly(
           "end", [](const QueuedMotion& q) { return state_of(q.end); }, "State at the end.")

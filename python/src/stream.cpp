@@ -34,6 +34,14 @@ bool is_late(StreamError error) {
          error == StreamError::command_timeout;
 }
 
+/// The reason as a word: of the axis, such as "position_limit", or of the executor, such as "busy"; "" if
+/// the call was not rejected.
+std::string word_of(const CallOutcome& outcome) {
+  if (outcome.refusal == wire::Refusal::none) return "";
+  const bool of_axis = outcome.refusal == wire::Refusal::axis && outcome.cause != 0;
+  return of_axis ? name(static_cast<Cause>(outcome.cause)) : wire::name(outcome.refusal);
+}
+
 /// The reason in words, without the remedies of an axis: they are commands of the program jounce.
 std::string words_of(const CallOutcome& outcome, const std::string& axis) {
   constexpr std::string_view who = "axis: ";
@@ -46,10 +54,9 @@ std::string words_of(const CallOutcome& outcome, const std::string& axis) {
 void require_ok(const CallOutcome& outcome, const std::string& axis) {
   if (outcome.ok()) return;
   const std::string text = axis + ": " + name(outcome.error) + ": " + words_of(outcome, axis);
-  const bool refused = outcome.refusal != wire::Refusal::none;
   const char* const type = is_late(outcome.error) ? "AxisTimeout" : "AxisError";
-  const py::object error = from_package("_errors", type)(
-      text, name(outcome.error), refused ? wire::name(outcome.refusal) : "", outcome.cause);
+  const py::object error =
+      from_package("_errors", type)(text, name(outcome.error), word_of(outcome), outcome.cause);
   PyErr_SetObject(py::type::handle_of(error).ptr(), error.ptr());
   throw py::error_already_set();
 }
@@ -261,7 +268,7 @@ void bind_power(py::class_<AxisClient>& c) {
           "position"_a, py::kw_only(), "relative"_a = false,
           "Assigns a value (u) to the present position, or adds it (MC_SetPosition).")
       .def(
-          "set_override",
+          "override",
           [](AxisClient& self, double factor) {
             self.call([&](Client& k) { return k.command(command::Override{factor}); });
           },

@@ -60,6 +60,12 @@ TEST(Quantity, ReportsErrorsWithPossibleValues) {
   EXPECT_EQ(complaint("1,5 mm", "mm"), "has a decimal comma: write a point, \"1.5 mm\"");
 }
 
+TEST(Units, KnowTheInternationalFootAndYard) {
+  EXPECT_DOUBLE_EQ(conversion("ft", "mm"), 304.8);
+  EXPECT_DOUBLE_EQ(conversion("yd", "in"), 36);
+  EXPECT_DOUBLE_EQ(quantity("100 ft/min", "mm/s"), 508);
+}
+
 TEST(RateUnit, ReadsAsPeopleWriteIt) {
   EXPECT_EQ(rate_unit("mm", "deg", 0), "mm");
   EXPECT_EQ(rate_unit("mm", "deg", 1), "mm/deg");

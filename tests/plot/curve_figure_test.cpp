@@ -9,6 +9,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "jounce/design/over_time.hpp"
+#include "jounce/plot/input_figure.hpp"
 #include "jounce/plot/label.hpp"
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/error.hpp"
@@ -254,6 +256,39 @@ TEST(CurveFigure, IsLean) {
 TEST(CurveFigure, IsLeanWithManySegments) {
   const Cam many = repeated(with(pmc600_cam(), Extrapolation::hold), 5000);
   EXPECT_LT(svg(curve_figure(many, {})).size(), 250'000U);
+}
+
+TEST(OverTimeFigure, HasNamesBesideItsZonesAndNoNumbersOfKnots) {
+  const Input knife = read_inputs(JOUNCE_SOURCE_DIR "/examples/rotary-knife/knife.toml").front();
+  const Figure figure = figure_of(over_time(knife));
+  ASSERT_FALSE(figure.shades.empty());
+  ASSERT_FALSE(figure.names.empty());
+  for (const Shade& name : figure.names) {
+    EXPECT_EQ(name.label.find_first_of("0123456789"), std::string::npos) << name.label;
+    for (const Shade& shade : figure.shades)
+      EXPECT_TRUE(name.to <= shade.from + 1e-9 || shade.to <= name.from + 1e-9) << name.label;
+  }
+  const Markup markup(svg(figure));
+  EXPECT_FALSE(markup.with("path", "knot").empty());
+  std::size_t named = 0;
+  for (const Element& e : markup.with("text", "soft"))
+    if (e.has_class("mid")) named += e.text.find_first_of("0123456789") == std::string::npos;
+  EXPECT_GT(named, 0U);
+}
+
+TEST(OverTimeFigure, LeavesOutNamesThatDoNotFit) {
+  Figure figure{.x_label = "time [s]"};
+  figure.panels.push_back({.y_label = "y", .series = {{"curve", {0, 100}, {0, 1}}}});
+  figure.knots = {50, 50.5};
+  figure.names = {{0, 50, "start"}, {50, 50.5, "wait"}, {50.5, 100, "stop"}};
+  const auto written = [&] {
+    std::vector<std::string> all;
+    for (const Element& e : Markup(svg(figure)).with("text")) all.push_back(e.text);
+    return all;
+  };
+  EXPECT_THAT(written(), testing::IsSupersetOf({"start", "stop"}));
+  EXPECT_THAT(written(), testing::Not(testing::Contains("wait")));
+  EXPECT_THAT(written(), testing::Not(testing::Contains("50.5")));
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ class Queue(unittest.TestCase):
         ])
         first = queue.commands[0]
         self.assertEqual((first.reached, first.target, first.aborted), (5, 10, False))
-        self.assertAlmostEqual(queue.trajectory.at(first.end).velocity, 5, delta=1e-12)
+        self.assertAlmostEqual(queue.curve.at(first.end).velocity, 5, delta=1e-12)
         self.assertEqual(queue.end, jounce.State(40, 0, 0))
         self.assertAlmostEqual(queue.commands[3].begin - queue.commands[1].end, 0.5, delta=1e-12)
 

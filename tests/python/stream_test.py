@@ -42,9 +42,11 @@ class Stream(unittest.TestCase):
         with jounce.Client("feeder", url=self.url, patience=10) as axis:
             with self.assertRaises(jounce.AxisError) as caught:
                 axis.move_absolute(10)
-            self.assertEqual(caught.exception.error, "refused")
+            self.assertEqual((caught.exception.error, caught.exception.refusal), ("refused", "not_enabled"))
             self.assertGreater(caught.exception.cause, 0)
             axis.enable()
+            axis.override(0.5)
+            axis.override(1)
             axis.move_absolute(10, velocity=200)
             self.assertEqual(axis.wait_for_rest(20), "standstill")
             self.assertAlmostEqual(axis.status().position, 10, delta=1e-9)
@@ -60,6 +62,7 @@ class Stream(unittest.TestCase):
             self.assertTrue(stages)
             with self.assertRaises(jounce.AxisError) as caught:  # a table that begins elsewhere would be a step
                 axis.stream(table)
+            self.assertEqual(caught.exception.refusal, "start_position")
             self.assertNotIn("jounce order", str(caught.exception))
             self.assertIn("start_position: ", str(caught.exception))
             with self.assertRaises(jounce.InputError) as wrong:

@@ -137,7 +137,8 @@ INSTANTIATE_TEST_SUITE_P(
             "a.toml:2:8: kind = \"cma\": is unknown: did you mean \"cam\"?"},
         Bad{cam, "\"deg\"", "\"degrees\"",
             "a.toml:3:20: units.master = \"degrees\": is not a unit of a master: give an angle "
-            "(deg rad rev), a length (m mm um cm in), pulse, count or inc, or a time (s ms) for a "
+            "(deg rad rev), a length (m mm um cm in ft yd), pulse, count or inc, or a time (s ms) "
+            "for a "
             "virtual master"},
         Bad{cam, "position = \"mm\"", "position = 3",
             "a.toml:3:38: units.position = 3: must be a string in quotes"},

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The planned path of a group on the live page: group_in_browser.py CHROMIUM FOLDER ADDRESS GROUP [PICTURE]
 
-GROUP is the robot of examples/scara or the plotter of examples/plotter, whose program is started by the test. With a
+GROUP is the robot of examples/scara, the plotter of examples/plotter or the head of examples/welding-head, whose program
+is started by the test. With a
 picture: draws PICTURE.png, PICTURE-dark.png and PICTURE-narrow.png.
 """
 import json
@@ -91,6 +92,36 @@ def plotter():
     assert moved > 10 and most < 0.01, (moved, most)
 
 
+def shown_units(command, **options):
+    """The units in the fields of a command of the head, after these options are typed."""
+    typed = json.dumps(options)
+    return browser.run(f"""(async () => {{
+        const {{orders}} = axes.get('head');
+        await orders.fill();
+        orders.select.value = '{command}';
+        orders.show();
+        for (const [name, text] of Object.entries({typed})) {{
+          const input = orders.fields.querySelector(`[data-option="${{name}}"]`);
+          input.value = text;
+          input.dispatchEvent(new Event('input', {{bubbles: true}}));
+        }}
+        return Object.fromEntries([...orders.fields.querySelectorAll('[data-option]')].map((i) => [i.dataset.option, i.placeholder]));
+    }})()""", True)
+
+
+def head():
+    """A move of the follower alone has the unit of the follower, as the executor reads it."""
+    assert browser.run("[...document.querySelector('[data-path=x]').options].map((o) => o.value).join()") == "x,y,c"
+    assert shown_units("move-linear")["to"] == "mm, mm, deg"
+    for to, unit in (("", "mm"), ("x=10", "mm"), ("c=90deg", "deg"), (",,90", "deg"), ("x=10,c=90", "mm"), ("10,,90", "mm")):
+        units = shown_units("move-linear", to=to)
+        assert units["velocity"] == unit + "/s" and units["jerk"] == unit + "/s^3", (to, units)
+    assert shown_units("set-limits", axis="3")["velocity"] == "deg/s"
+    assert shown_units("set-limits", axis="y")["velocity"] == "mm/s"
+    assert shown_units("set-limits")["velocity"] == "mm/s"
+    print("head: the units of its moves")
+
+
 def draw():
     browser.picture(picture + ".png")
     browser.picture(picture + "-dark.png", dark=True)
@@ -105,7 +136,7 @@ try:
     order("start")
     browser.run("document.getElementById('path').scrollIntoView()")
     browser.wait_for(f"{FACTS}.startsWith('planned path (dashed); set position (')")
-    robot() if group == "robot" else plotter()
+    {"robot": robot, "plotter": plotter, "head": head}[group]()
     assert browser.run("document.querySelector('#path canvas').getAttribute('aria-label')").startswith("x and y: planned path")
     if picture:
         draw()

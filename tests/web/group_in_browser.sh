@@ -10,7 +10,7 @@ examples=$2
 pictures=${3:-}
 executor=
 trap 'kill -KILL $executor 2> /dev/null || true; rm -rf "$scratch"' EXIT
-for one in scara:robot plotter:plotter; do
+for one in scara:robot plotter:plotter welding-head:head; do
   machine=${one%:*} group=${one#*:}
   cp -r "$examples/$machine" "$scratch/$machine"
   for spec in "$scratch/$machine"/*.toml; do

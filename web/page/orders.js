@@ -7,13 +7,26 @@ const unit_for = (quantity, {unit, master}) => ({position: unit, velocity: unit 
   jerk: unit && `${unit}/s^3`, master, 'master velocity': master && `${master}/s`,
   'master acceleration': master && `${master}/s^2`, 'master jerk': master && `${master}/s^3`, time: 's'})[quantity] ?? '';
 
+/// The unit of the rates of a command of a group, as the executor reads them: that of the axis with the option `axis`,
+/// or of the first coordinate with a value, if none of these has the unit of the path. An arc moves path axes.
+function rateUnit(order, coordinates, {unit, group}) {
+  if (!group) return unit;
+  const {axis} = order.options, list = order.options[coordinates];
+  if (axis) return group.units[/^\d+$/.test(axis) ? axis - 1 : group.axes.indexOf(axis)] ?? unit;
+  if (!list || order.what === 'move-circular') return unit;
+  const units = list.split(',').map((text, k) => {
+    const [value, name] = text.split('=').reverse();
+    return value.trim() && group.units[name === undefined ? k : group.axes.indexOf(name.trim())];
+  }).filter(Boolean);
+  return units.includes(unit) ? unit : units[0] ?? unit;
+}
+
 /// A field for an option of a command.
-function fieldOf(option, units) {
-  const label = document.createElement('label'), unit = unit_for(option.quantity, units);
+function fieldOf(option) {
+  const label = document.createElement('label');
   const input = document.createElement(Array.isArray(option.kind) ? 'select' : 'input');
   if (Array.isArray(option.kind)) for (const word of ['', ...option.kind]) input.add(new Option(word));
   else if (option.kind === 'flag') input.type = 'checkbox';
-  else input.placeholder = unit;
   input.dataset.option = option.name;
   input.title = option.help;
   label.title = option.help;
@@ -49,7 +62,7 @@ class Orders {
 
   show() {
     const command = commands.find((one) => one.word === this.select.value);
-    this.fields.replaceChildren(...command.options.map((option) => fieldOf(option, this.units())));
+    this.fields.replaceChildren(...command.options.map((option) => fieldOf(option)));
     this.preview();
   }
 
@@ -64,9 +77,23 @@ class Orders {
     return order;
   }
 
+  /// The units of the fields, as placeholders.
+  showUnits(order) {
+    const units = this.units(), {options} = commands.find((one) => one.word === order.what);
+    const lists = options.filter((option) => option.kind === 'coordinates').map(({name}) => name);
+    const rates = rateUnit(order, lists.find((name) => order.options[name]), units);
+    for (const {name, quantity, kind} of options) {
+      const input = this.fields.querySelector(`[data-option="${name}"]`), is_list = lists.includes(name) && units.group;
+      if (kind === 'flag' || Array.isArray(kind)) continue;
+      input.placeholder = is_list && quantity === 'position' ? units.group.units.join(', ')
+        : unit_for(quantity, quantity === 'position' ? units : {...units, unit: rates});
+    }
+  }
+
   /// The same as a command line.
   preview() {
     const order = this.words();
+    this.showUnits(order);
     const options = Object.entries(order.options).map(([option, text]) => `--${option} ${text}`);
     this.line.textContent = ['jounce order', this.name, order.what, order.value, ...options, ...order.flags.map((flag) => `--${flag}`)].filter(Boolean).join(' ');
   }

@@ -134,7 +134,7 @@ function viewOf(name) {
   const element = document.getElementById('axis').content.firstElementChild.cloneNode(true);
   const parts = {};
   for (const part of element.querySelectorAll('[data-is]')) parts[part.dataset.is] = part;
-  const view = {element, parts, sliding: false, units: {unit: '', master: ''}};
+  const view = {element, parts, sliding: false, units: {unit: '', group: null, master: ''}};
   parts.name.textContent = name;
   for (const input of element.querySelectorAll('.controls button,.controls input,.rare button,.orders button')) input.disabled = token === '';
   wire(name, view);
@@ -185,7 +185,7 @@ function show(axis) {
     parts.slider.value = Math.round(axis.override * 100);
     parts.override.textContent = `${Math.round(axis.override * 100)} %`;
   }
-  view.units = {unit, master: axis.master_unit || axis.masters[0]?.unit || ''};
+  view.units = {unit, group: axis.group, master: axis.master_unit || axis.masters[0]?.unit || ''};
   view.scope.units = view.units;
   active.set(axis.name, axis.table);
 }

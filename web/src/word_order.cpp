@@ -86,6 +86,7 @@ std::string word_orders_json() {
       if (option.name == held_option) continue;
       ordered_json kind = "text";
       if (option.form == OptionForm::flag) kind = "flag";
+      if (option.form == OptionForm::coordinates) kind = "coordinates";
       if (!option.choices.empty()) kind = option.choices;
       options.push_back({{"name", option.name},
                          {"help", option.help},

@@ -21,7 +21,8 @@ struct WordOrder {
 WordOrder read_word_order(std::string_view json);
 
 /// Returns all commands as JSON: [{"word", "group", "options": [{"name", "help", "quantity",
-/// "kind"}]}]. The option "VALUE" is the value. `kind`: "text", "flag", or a list of words.
+/// "kind"}]}]. The option "VALUE" is the value. `kind`: "text", "coordinates", "flag", or a list of
+/// words.
 std::string word_orders_json();
 
 }  // namespace jounce::web

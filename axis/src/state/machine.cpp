@@ -53,7 +53,8 @@ void require_one_period(const std::vector<MachineAxis>& axes) {
 void require_leaders(const std::vector<MachineAxis>& axes, std::size_t masters) {
   using What = Follow::What;
   const auto require = [&](std::size_t i, const char* key, const Follow& follow) {
-    const auto [what, index] = follow;
+    const What what = follow.what;
+    const std::size_t index = follow.index;
     if (what == What::nothing) return;
     if (index >= (what == What::master ? masters : axes.size()))
       throw InputError(
@@ -193,11 +194,11 @@ bool is_incomplete(std::size_t axis, std::span<const AxisImage> images) {
   return false;
 }
 
-/// The position of a leader or a master in this tick.
-Jet master_of(const Follow& follow, std::span<const AxisImage> images,
-              std::span<const Jet> masters) {
-  const auto [what, index] = follow;
-  switch (what) {
+/// The position of a leader or a master in this tick, in the unit of that leader.
+Jet unscaled_master_of(const Follow& follow, std::span<const AxisImage> images,
+                       std::span<const Jet> masters) {
+  const std::size_t index = follow.index;
+  switch (follow.what) {
     case Follow::What::nothing:
       break;
     case Follow::What::master:
@@ -217,9 +218,17 @@ Jet master_of(const Follow& follow, std::span<const AxisImage> images,
   return no_master;
 }
 
+/// The same in the unit of the follower's master.
+Jet master_of(const Follow& follow, std::span<const AxisImage> images,
+              std::span<const Jet> masters) {
+  Jet at = unscaled_master_of(follow, images, masters);
+  for (double& value : at) value *= follow.scale;
+  return at;
+}
+
 double master_offset_of(const Follow& follow, std::span<const AxisImage> images) {
-  const auto [what, index] = follow;
-  return what == Follow::What::setpoint ? images[index].tick.offset : 0;
+  return follow.what == Follow::What::setpoint ? follow.scale * images[follow.index].tick.offset
+                                               : 0;
 }
 
 /// The whole turns from a place on a path to the position of a modulo axis, u. Position limits count turns:

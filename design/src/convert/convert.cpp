@@ -23,7 +23,7 @@ TableFile in_units(TableFile file, const Conversion& wanted) {
     if (!to.empty() && !is_unit(to))
       throw InputError(
           key, to,
-          "is not a known unit: give a length (mm m um cm in), an angle (rad deg rev), "
+          "is not a known unit: give a length (mm m um cm in ft yd), an angle (rad deg rev), "
           "a time (s ms us ns min h), or pulse, count or inc");
     double factor = 1;
     try {

@@ -14,6 +14,7 @@
 #include "jounce/axis/detail/live_cuts.hpp"
 #include "jounce/axis/live_cam.hpp"
 #include "jounce/base/detail/lcm_log.hpp"
+#include "jounce/base/units.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "executor/src/record/remade_masters.hpp"
@@ -279,14 +280,26 @@ class Replayer {
     ended_ = true;
   }
 
+  /// The unit of a master in that of a follower, as the executor converts it.
+  double scale_of(std::size_t master, std::size_t axis) {
+    const auto [at, is_new] = scales_.try_emplace({master, axis}, 1.0);
+    const std::string& unit = result_.axes[axis].units.x;
+    const std::string& from = result_.masters[master].unit;
+    if (is_new && is_convertible(from, unit)) at->second = conversion(from, unit);
+    return at->second;
+  }
+
   /// A difference between the master in a follower and in the cycle.
-  [[nodiscard]] std::optional<TickDifference> other_master(const RecordedCycle& cycle) const {
+  [[nodiscard]] std::optional<TickDifference> other_master(const RecordedCycle& cycle) {
     for (std::size_t m = 0; m < sights_.size(); ++m) {
       if ((result_.masters[m].followers >> cycle.axis & 1U) == 0) continue;
       const Jet& own = cycle.inputs.master;
+      Jet sight = sights_[m].at;
+      const double scale = scale_of(m, cycle.axis);
+      for (double& value : sight) value *= scale;
       const bool same = sights_[m].tick == cycle.tick.tick &&
-                        std::equal(own.begin(), own.end(), sights_[m].at.begin(), same_bits);
-      if (!same) return TickDifference{"live_master", own[0], sights_[m].at[0]};
+                        std::equal(own.begin(), own.end(), sight.begin(), same_bits);
+      if (!same) return TickDifference{"live_master", own[0], sight[0]};
     }
     return std::nullopt;
   }
@@ -350,6 +363,7 @@ class Replayer {
   std::vector<MasterReading> sights_;  // the last of each master
   std::vector<std::unique_ptr<MotionAxis>> motions_;
   std::map<std::size_t, std::int64_t> last_ticks_;
+  std::map<std::pair<std::size_t, std::size_t>, double> scales_;  // by master and axis
   std::map<std::size_t, Triggers> triggers_;
   std::map<std::size_t, RecordedReferences> references_;
   std::map<Sha256, Growing> growing_;

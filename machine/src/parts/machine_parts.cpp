@@ -14,6 +14,7 @@
 #include "jounce/base/detail/listed.hpp"
 #include "jounce/base/detail/nearest.hpp"
 #include "jounce/base/file.hpp"
+#include "jounce/base/units.hpp"
 #include "jounce/design/make.hpp"
 #include "jounce/executor/detail/dispatcher.hpp"
 #include "jounce/spec/axis_drive.hpp"
@@ -219,8 +220,8 @@ std::string meant(const std::string& name, const std::vector<Leader>& leaders, c
   return (names.empty() ? "" : ", which has " + listed(names)) + else_;
 }
 
-/// The leader with the names in the table `table` of the axis: "follow", "follow.second". `unit`: its
-/// required unit; "": any.
+/// The leader with the names in the table `table` of the axis: "follow", "follow.second". `unit`: the
+/// unit of its master, to which the leader is converted; "": not converted.
 Follow resolved(const Read& axis, const FollowWhom& whom, const std::string& table,
                 const std::string& unit, const std::vector<Leader>& axes,
                 const std::vector<Leader>& masters) {
@@ -240,11 +241,13 @@ Follow resolved(const Read& axis, const FollowWhom& whom, const std::string& tab
     refuse("is not an axis of this machine" +
            meant(name, leaders, ": add the axis, or correct the name"));
   if (!of_master && name == axis.spec.name) refuse("is this axis itself: name another axis");
-  if (!unit.empty() && unit != leader->unit)
+  const bool converts = unit.empty() || unit == leader->unit || is_convertible(leader->unit, unit);
+  if (!converts)
     refuse("has the unit " + leader->unit + ", but the axis " + axis.spec.name +
            " has units.master = \"" + unit + "\" in its own spec: write \"" + leader->unit +
            "\" there, or follow something in " + unit);
   Follow follow = leader->follow;
+  if (!unit.empty()) follow.scale = conversion(leader->unit, unit);
   if (whom.actual) follow.what = Follow::What::actual;
   return follow;
 }

@@ -97,6 +97,32 @@ std::string replay_json(const Replay& r) {
   return document.dump();
 }
 
+void LastMotion::add(const RecordedCycle& cycle) {
+  if (cycle.axis != axis_) return;
+  const Tick& tick = cycle.tick;
+  last_.add(cycle);
+  const bool moves = tick.velocity != 0 || (tick.fault != Cause::none && fault_ == Cause::none);
+  fault_ = tick.fault;
+  if (moves)
+    rest_ = 0;
+  else if (rest_ && ++*rest_ == after)
+    motion_ = last_.kept();
+}
+
+std::deque<Tick> LastMotion::kept() const {
+  if (!rest_) {
+    const std::deque<Tick>& all = last_.kept();
+    return {all.end() - static_cast<std::ptrdiff_t>(std::min(all.size(), most)), all.end()};
+  }
+  std::deque<Tick> ticks = *rest_ >= after ? motion_ : last_.kept();
+  const auto first =
+      std::find_if(ticks.begin(), ticks.end(), [](const Tick& tick) { return tick.velocity != 0; });
+  const auto rest = first - ticks.begin();
+  if (first != ticks.end() && rest > static_cast<std::ptrdiff_t>(before))
+    ticks.erase(ticks.begin(), first - static_cast<std::ptrdiff_t>(before));
+  return ticks;
+}
+
 Figure tick_figure(const std::deque<Tick>& ticks, const RecordedAxis& axis) {
   const std::string u = axis.units.position.empty() ? "u" : axis.units.position;
   Series set{.label = "set"};
@@ -134,7 +160,6 @@ Figure tick_figure(const std::deque<Tick>& ticks, const RecordedAxis& axis) {
 }
 
 ReplayedFile replay_file(const std::string& path, const ReplayFileOptions& options) {
-  constexpr std::size_t usual_ticks = 5000;
   std::ifstream in = opened(path);
   RecordedAxis axis;
   const bool is_listed = !options.csv.empty();
@@ -145,19 +170,21 @@ ReplayedFile replay_file(const std::string& path, const ReplayFileOptions& optio
       throw InputError("", "", "is a pipe, but the ticks of an axis need two passes: give a file")
           .at(path);
   }
-  LastTicks ticks(axis.axis, options.last.value_or(usual_ticks));
+  LastTicks ticks(axis.axis, options.last.value_or(0));
+  LastMotion motion(axis.axis);
   std::optional<TickLog> csv;
   if (is_listed)
     csv.emplace(options.csv, axis.units,
                 LogColumns{.compensation = axis.config.compensation.has_value()});
   Replay result = replay(in, path, [&](const RecordedCycle& cycle) {
-    if (options.ticks || options.last) ticks.add(cycle);
+    if (options.last) ticks.add(cycle);
+    if (options.ticks && !options.last) motion.add(cycle);
     if (csv && !options.last && cycle.axis == axis.axis) csv->add(cycle.tick);
   });
   if (csv && options.last)
     for (const Tick& tick : ticks.kept()) csv->add(tick);
   if (csv) csv->close();
-  return {std::move(result), std::move(axis), ticks.kept()};
+  return {std::move(result), std::move(axis), options.last ? ticks.kept() : motion.kept()};
 }
 
 }  // namespace jounce

@@ -190,6 +190,7 @@ Figure stacked_figure(const Curve<Over>& f, const Curve<Over>* before, const Cur
   figure.x_label = look.axis_unit.empty() ? axis : fmt::format("{} [{}]", axis, look.axis_unit);
   figure.x_note = look.x_note;
   figure.shades = look.shades;
+  figure.names = look.names;
   figure.strips = look.strips;
   figure.knots = look.knots.value_or(std::vector<double>(f.breaks().begin(), f.breaks().end()));
   figure.degrees = look.axis_unit == "deg" || look.axis_unit == "°";

@@ -29,6 +29,7 @@ struct CurveLook {
   std::optional<Limits> marked_limits{};
   std::string x_note{};                      ///< shown after the label of the x axis, see Figure
   std::vector<Shade> shades{};               ///< named ranges of the x axis
+  std::vector<Shade> names{};                ///< names of ranges beside the shades, see Figure
   std::vector<std::vector<Shade>> strips{};  ///< rows of names above the plots, see Figure
   /// Thin vertical lines; nullopt: at all breaks of the curve.
   std::optional<std::vector<double>> knots{};

@@ -127,6 +127,24 @@ std::vector<const std::vector<Shade>*> drawn_strips(const Figure& figure, const 
   return rows;
 }
 
+/// The names beside the shades that fit their ranges.
+std::vector<Name> drawn_names(const Figure& figure, const Scale& x) {
+  constexpr double room = 4;  // px, beside a name
+  std::vector<Name> drawn;
+  for (const Shade& name : figure.names) {
+    const double from = x(std::max(name.from, x.of.lo));
+    const double to = x(std::min(name.to, x.of.hi));
+    if (text_width(name.label, small_font) + room <= to - from)
+      drawn.push_back({name.label, (from + to) / 2});
+  }
+  return drawn;
+}
+
+/// The knots whose numbers are drawn.
+std::vector<double> numbered_knots(const Figure& figure, const Scale& x) {
+  return figure.names.empty() ? drawn_knots(figure, x) : std::vector<double>{};
+}
+
 /// Places of all parts.
 struct Layout {
   double left = 0;
@@ -139,7 +157,8 @@ struct Layout {
   Ticks x_ticks;
   std::vector<Entry> legend;
   std::vector<const std::vector<Shade>*> strips;
-  bool shade_names = false;  ///< true if shades have a separate row
+  std::vector<Name> names;
+  bool shade_names = false;  ///< true if shades and the ranges beside them have a separate row
 };
 
 Layout lay_out(const Figure& figure, const SvgOptions& options) {
@@ -161,9 +180,10 @@ Layout lay_out(const Figure& figure, const SvgOptions& options) {
   if (!at.legend.empty()) y = y + at.legend.back().y + legend_height;
   at.strip_top = y + header_height;
   at.strips = drawn_strips(figure, at.x);
-  at.shade_names = !figure.shades.empty() && at.strips.empty();
+  at.names = drawn_names(figure, at.x);
+  at.shade_names = !(figure.shades.empty() && at.names.empty()) && at.strips.empty();
   const std::size_t rows =
-      at.strips.size() + (at.shade_names ? 1 : 0) + (drawn_knots(figure, at.x).empty() ? 0 : 1);
+      at.strips.size() + (at.shade_names ? 1 : 0) + (numbered_knots(figure, at.x).empty() ? 0 : 1);
   const double strips = strip_height * static_cast<double>(rows);
   for (std::size_t i = 0; i < figure.panels.size(); ++i) {
     const double top = y + header_height + (i == 0 ? strips : 0);
@@ -215,10 +235,11 @@ void draw_strips(std::string& out, const Figure& figure, const Layout& at) {
       const double middle = at.x(std::clamp((shade.from + shade.to) / 2, at.x.of.lo, at.x.of.hi));
       write(middle, fitted(shade.label, small_font, at.right - at.left), "zonetext mid", around);
     }
+    for (const Name& name : at.names) write(name.middle, name.label, "soft mid", around);
     row += strip_height;
   }
   Surroundings around{row_frame, {}, {}};
-  for (const double knot : drawn_knots(figure, at.x))
+  for (const double knot : numbered_knots(figure, at.x))
     write(at.x(knot), short_number(knot / std::pow(10.0, at.x_ticks.exponent)), "soft mid", around);
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plot/src/figure/input_look.hpp"
 
+#include <algorithm>
 #include <span>
+#include <string>
 #include <utility>
 
 #include "jounce/design/detail/sync_zones.hpp"
@@ -41,6 +43,29 @@ std::vector<std::vector<Shade>> strips(std::span<const double> breaks, const Inp
   return {std::move(names), std::move(laws)};
 }
 
+/// "4 start": "start". A name that is only a number stays.
+std::string without_number(const std::string& label) {
+  const std::size_t blank = label.find(' ');
+  const bool has_number =
+      blank != std::string::npos && label.find_first_not_of("0123456789") == blank;
+  return has_number ? label.substr(blank + 1) : label;
+}
+
+/// The segments of a cam over time, without those in the shades, which have names of their own.
+std::vector<Shade> names_beside(std::span<const double> breaks, const Labels& labels,
+                                const std::vector<Shade>& shades) {
+  std::vector<Shade> names;
+  for (const auto& group : groups(breaks.size() - 1, labels)) {
+    const double from = breaks[group.first];
+    const double to = breaks[group.last + 1];
+    const bool is_shaded = std::any_of(shades.begin(), shades.end(), [&](const Shade& shade) {
+      return shade.from <= (from + to) / 2 && (from + to) / 2 <= shade.to;
+    });
+    if (!is_shaded) names.push_back({from, to, without_number(group.label)});
+  }
+  return names;
+}
+
 /// Adds [limits.slave] at the speed of [master] to the limits of a cam. A point of the cam breaks
 /// them for sure only if the master passes the whole cam at this speed.
 void add_slave_limits(const Input& input, CurveLook& look) {
@@ -71,6 +96,8 @@ CurveLook look_of(const Input& input) {
   const auto breaks = std::visit([](const auto& curve) { return curve.breaks(); }, *input.curve);
   look.knots = knots(breaks, input.labels);
   look.strips = strips(breaks, input);
+  if (!input.spec && !input.labels.over_master && !input.labels.segments.empty())
+    look.names = names_beside(breaks, input.labels, look.shades);
   return look;
 }
 

@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "jounce/plot/label.hpp"
+
 namespace jounce {
 namespace {
 
@@ -112,18 +114,16 @@ class Drawing {
   Figure over_parameter() {
     const SweepParameter& p = spec_.parameters.front();
     figure_.x_label = label_of(p.key, p.unit);
+    const std::vector<Line> lines = lines_over_first();
     for (const std::size_t c : shown_columns()) {
       Panel panel = panel_of(c);
-      Series series{.style = spec_.parameters.size() == 1 ? Style::line : Style::dots};
-      for (const SweepRow& row : result_.rows) {
-        series.x.push_back(spec_.numbers(row.number).front().value);
-        series.y.push_back(row.figures[c]);
-      }
+      std::vector<Series> drawn;
+      for (const Line& line : lines) drawn.push_back(over_first(c, line));
       Window along;
-      along.add(series.x);
+      for (const Series& series : drawn) along.add(series.x);
       along.add({spec_.base.value(p.key)});
-      panel.series.push_back(along.margins(series));
-      panel.series.push_back(std::move(series));
+      panel.series.push_back(along.margins(drawn.front()));
+      for (Series& series : drawn) panel.series.push_back(std::move(series));
       panel.markers.push_back({.x = spec_.base.value(p.key),
                                .y = spec_.given[c].value,
                                .text = "as given",
@@ -151,6 +151,96 @@ class Drawing {
     return series;
   }
 
+  /// Up to four values of a list, evenly spread, with its ends.
+  static std::vector<double> spread_values(const std::vector<double>& all) {
+    if (all.size() <= most_lines) return all;
+    std::vector<double> some;
+    for (std::size_t i = 0; i < most_lines; ++i)
+      some.push_back(all[i * (all.size() - 1) / (most_lines - 1)]);
+    return some;
+  }
+
+  /// The listed value of a parameter that is nearest to the value of the given spec.
+  [[nodiscard]] double nearest_listed(const SweepParameter& p) const {
+    const auto& all = std::get<Values>(p.how).all;
+    const double given = spec_.base.value(p.key);
+    return *std::min_element(all.begin(), all.end(), [&](double a, double b) {
+      return std::abs(a - given) < std::abs(b - given);
+    });
+  }
+
+  /// A line over the first parameter: one value of each other parameter, and the rows with these values.
+  struct Line {
+    std::string label;
+    std::vector<double> others;
+    std::vector<std::pair<double, std::size_t>> rows;  ///< value of the first parameter, row
+  };
+
+  /// The lines without their rows: all combinations of the other parameters, if there are at most four.
+  /// Otherwise up to four values of the second parameter, with the other parameters as given. A value
+  /// that all lines have is in the note instead of the labels.
+  std::vector<Line> chosen_lines() {
+    const std::size_t length = std::get<Values>(spec_.parameters.front().how).all.size();
+    const bool draws_all = spec_.cases() <= length * most_lines;
+    std::vector<Line> lines(1);
+    for (std::size_t i = 1; i < spec_.parameters.size(); ++i) {
+      const SweepParameter& p = spec_.parameters[i];
+      const auto& all = std::get<Values>(p.how).all;
+      const std::vector<double> drawn = draws_all ? all
+                                        : i == 1  ? spread_values(all)
+                                                  : std::vector{nearest_listed(p)};
+      std::vector<Line> longer;
+      for (const Line& line : lines)
+        for (const double value : drawn) {
+          Line& next = longer.emplace_back(line);
+          next.others.push_back(value);
+          if (drawn.size() > 1) next.label += (next.label.empty() ? "" : ", ") + text_of(p, value);
+        }
+      lines = std::move(longer);
+      note_drawn(p, drawn, all.size());
+    }
+    return lines;
+  }
+
+  /// States the values that are drawn, if the legend does not show all values of the parameter.
+  void note_drawn(const SweepParameter& p, const std::vector<double>& drawn, std::size_t of) {
+    const std::string values = std::to_string(of) + " values";
+    if (drawn.size() == 1)
+      add_note(text_of(p, drawn.front()) + (of == 1 ? "" : " (1 of " + values + ")"));
+    else if (drawn.size() < of)
+      add_note(p.key + ": " + std::to_string(drawn.size()) + " of " + values + " drawn");
+  }
+
+  void add_note(const std::string& words) {
+    figure_.x_note += (figure_.x_note.empty() ? "" : " · ") + words;
+  }
+
+  static std::string text_of(const SweepParameter& p, double value) {
+    return p.key + " = " + short_number(value) + (p.unit.empty() ? "" : " " + superscripts(p.unit));
+  }
+
+  std::vector<Line> lines_over_first() {
+    std::vector<Line> lines = chosen_lines();
+    for (std::size_t r = 0; r < result_.rows.size(); ++r) {
+      const auto numbers = spec_.numbers(result_.rows[r].number);
+      for (Line& line : lines)
+        if (std::equal(line.others.begin(), line.others.end(), numbers.begin() + 1,
+                       [](double value, const auto& number) { return number.value == value; }))
+          line.rows.emplace_back(numbers.front().value, r);
+    }
+    for (Line& line : lines) std::sort(line.rows.begin(), line.rows.end());
+    return lines;
+  }
+
+  [[nodiscard]] Series over_first(std::size_t column, const Line& line) const {
+    Series series{.label = line.label};
+    for (const auto& [x, row] : line.rows) {
+      series.x.push_back(x);
+      series.y.push_back(result_.rows[row].figures[column]);
+    }
+    return series;
+  }
+
   /// Columns with information: finite, and not the same in all cases.
   [[nodiscard]] std::vector<std::size_t> shown_columns() {
     std::vector<std::size_t> all;
@@ -162,8 +252,8 @@ class Drawing {
     }
     if (all.size() > most_panels) {
       const std::size_t more = all.size() - most_panels;
-      figure_.x_note = std::to_string(more) + (more == 1 ? " more figure" : " more figures") +
-                       " vary: choose with `figures = [...]`";
+      add_note(std::to_string(more) + (more == 1 ? " more figure" : " more figures") +
+               " vary: choose with `figures = [...]`");
       all.resize(most_panels);
     }
     return all;

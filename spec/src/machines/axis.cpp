@@ -36,7 +36,7 @@ std::string read_position_unit(TomlReader& reader, const char* key, const char* 
   return read_unit(
       reader, key, fallback,
       {[](const std::string& unit) { return is_position_unit(unit); },
-       "is not a unit of position: give a length (m mm um cm in), an angle (rad deg rev), or "
+       "is not a unit of position: give a length (m mm um cm in ft yd), an angle (rad deg rev), or "
        "pulse, count or inc"});
 }
 
@@ -44,7 +44,8 @@ std::string read_master_unit(TomlReader& reader, const char* key) {
   return read_unit(
       reader, key, nullptr,
       {[](const std::string& unit) { return is_position_unit(unit) || is_convertible(unit, "s"); },
-       "is not a unit of a master: give an angle (deg rad rev), a length (m mm um cm in), pulse, "
+       "is not a unit of a master: give an angle (deg rad rev), a length (m mm um cm in ft yd), "
+       "pulse, "
        "count or inc, or a time (s ms) for a virtual master"});
 }
 

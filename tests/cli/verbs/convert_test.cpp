@@ -39,10 +39,10 @@ TEST_F(ConvertVerb, NamesTheOptionOfAWrongUnit) {
   ASSERT_EQ(run("design " + cam + " -o given.csv").status, 1);
   EXPECT_EQ(run("convert given.csv out.csv --master-unit J").err,
             "jounce: --master-unit = J: cannot be converted from the unit of the table, pulse\n");
-  EXPECT_EQ(
-      run("convert given.csv out.csv --position-unit wibble").err,
-      "jounce: --position-unit = wibble: is not a known unit: give a length (mm m um cm in), an "
-      "angle (rad deg rev), a time (s ms us ns min h), or pulse, count or inc\n");
+  EXPECT_EQ(run("convert given.csv out.csv --position-unit wibble").err,
+            "jounce: --position-unit = wibble: is not a known unit: give a length (mm m um cm in "
+            "ft yd), an "
+            "angle (rad deg rev), a time (s ms us ns min h), or pulse, count or inc\n");
   EXPECT_EQ(run("convert given.csv given.csv").err,
             "jounce: OUT = given.csv: is also the input: choose another name\n");
 }

@@ -24,6 +24,9 @@ struct Follow {
   };
   What what = What::nothing;  ///< kind of the master
   std::size_t index = 0;      ///< index of the master, or of the other axis
+  /// The unit of the leader in m, the unit of the master of this axis: 1000 for a leader in m and
+  /// m = mm. Position, velocity, acceleration and jerk of the leader are multiplied by it.
+  double scale = 1;
 };
 
 /// A group: several axes that move together along a planned path (PLCopen part 4).

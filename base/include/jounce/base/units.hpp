@@ -10,7 +10,7 @@ namespace jounce {
 
 /// Units of measure as people write them: "mm", "deg", "pulse/s", "kg cm^2", "1/s", "N m s/rad".
 /// These units can be multiplied, divided and raised to powers:
-/// - length: m, mm, um, cm, in;
+/// - length: m, mm, um, cm, in, ft, yd;
 /// - angle: rad, deg, arcmin, arcsec, rev;
 /// - pulses: pulse (also count, inc);
 /// - time: s, ms, us, ns, min, h;

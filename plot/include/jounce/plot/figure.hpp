@@ -71,6 +71,9 @@ struct Figure {
   /// shortened to the width of their range; in other rows, a name is shown only if it fits. A row
   /// in which no name fits is omitted. If there are rows, the names of shades are not shown.
   std::vector<std::vector<Shade>> strips{};
+  /// Names of ranges beside the shades, in one row with the names of the shades; a name is shown only
+  /// if it fits. The knots then have no numbers.
+  std::vector<Shade> names{};
   /// Thin vertical lines. If they are too dense, a note replaces them.
   std::vector<double> knots{};
   bool degrees = false;  ///< true: x is an angle, with ticks at 30, 45, 60, 90 deg, ...

@@ -13,7 +13,10 @@ namespace jounce {
 /// - Otherwise, with random parameters, each figure is drawn over the share of cases that do not
 ///   exceed it (a distribution function with exchanged axes), with its limit. Each of up to four
 ///   combinations of the listed values has a line.
-/// - Otherwise, each figure is drawn over the first parameter.
+/// - Otherwise, each figure is drawn over the first parameter. Each combination of the other
+///   parameters has a line, if there are at most four. If there are more, up to four values of the
+///   second parameter have a line, evenly spread over its list; each further parameter has the value
+///   of its list that is nearest to the given spec. Below the picture, a note states what is drawn.
 ///
 /// Figures that are the same in all cases are omitted. At most eight figures are drawn.
 Figure sweep_figure(const SweepSpec& spec, const SweepResult& result, const SweepSummary& summary);

@@ -40,6 +40,33 @@ class LastTicks {
   std::deque<Tick> kept_;
 };
 
+/// Collects the last motion of one axis from a record, for a picture: the last 5000 ticks up to its
+/// end, without the rest before them, and 200 ticks of the rest after it. A motion is a setpoint that
+/// moves; a new fault counts as one. Without a motion: the last 5000 ticks.
+class LastMotion {
+ public:
+  static constexpr std::size_t most = 5000;  ///< number of ticks up to the end of the motion
+  static constexpr std::size_t after =
+      200;  ///< number of ticks after it, in which the drive settles
+  static constexpr std::size_t before = 20;  ///< number of ticks before it
+
+  /// `axis`: index of the axis.
+  explicit LastMotion(std::size_t axis) : last_(axis, most + after), axis_(axis) {}
+
+  /// Adds a cycle; ignores other axes.
+  void add(const RecordedCycle& cycle);
+  /// The ticks, the oldest first.
+  [[nodiscard]] std::deque<Tick> kept() const;
+
+ private:
+  LastTicks last_;
+  std::size_t axis_;
+  std::optional<std::size_t>
+      rest_;                   ///< number of ticks since the last motion; nullopt: none so far
+  std::deque<Tick> motion_;    ///< the ticks that are kept of the last motion, if it is over
+  Cause fault_ = Cause::none;  ///< fault of the previous tick
+};
+
 /// Returns a figure over time: setpoint and actual position, velocity, following error and torque,
 /// with a mark at each fault. Quantities that the drive does not report are omitted.
 Figure tick_figure(const std::deque<Tick>& ticks, const RecordedAxis& axis);
@@ -51,7 +78,7 @@ struct ReplayFileOptions {
   std::optional<std::size_t> last = {};  ///< number of last ticks to keep; nullopt: see csv and
                                          ///< ticks
   std::string csv = {};  ///< tick log to write; without `last`, with all ticks; "": none
-  bool ticks = false;    ///< true: keep ticks for tick_figure(); without `last`, 5000 ticks
+  bool ticks = false;    ///< true: keep ticks for tick_figure(); without `last`, see LastMotion
 };
 
 /// The replay of a record, and the ticks of one axis that were kept.
