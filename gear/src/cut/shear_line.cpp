@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/error.hpp"
-#include "jounce/profiles/six_digits.hpp"
 
 #include "gear/src/cut/line_bounds.hpp"
 
