@@ -37,7 +37,10 @@ void require_possible(const std::string& key, double length, const CutTask& task
 }  // namespace
 
 CutTask::CutTask(const CutJob& job)
-    : cutter(job.spec.machine), list(job.spec.list), possible(possible_lengths(cutter, job.line)) {
+    : cutter(job.spec.machine),
+      list(job.spec.list),
+      possible(possible_lengths(cutter, job.line)),
+      slave(job.line.slave) {
   require_valid(list, cutter);
   for (std::size_t i = 0; i < list.lengths.size(); ++i)
     require_possible("lengths[" + std::to_string(i + 1) + "]", list.lengths[i], *this,
