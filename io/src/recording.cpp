@@ -63,8 +63,8 @@ std::string unit_in(std::string_view cell) {
 /// Returns the text of a tick log with feedback (`jounce replay --csv`) as that of a recording. A
 /// drive follows a setpoint from its tick on, and reports its response in the next tick. So each
 /// row has the feedback of the next tick. A row without it, or of a disabled axis, becomes an empty
-/// line: the other rows keep their lines. The torque of a tick is a share of `rated`, N m. Returns the text of another file as it
-/// is.
+/// line: the other rows keep their lines. The torque of a tick is a share of `rated`, N m. Returns
+/// the text of another file as it is.
 std::string as_recording(const std::string& text, const std::string& path, double rated) {
   std::istringstream lines(text);
   std::string line;
@@ -77,7 +77,7 @@ std::string as_recording(const std::string& text, const std::string& path, doubl
                           unit_in(header[at->actual]) + (torque ? ",torque [N m]" : "") + "\n";
   const std::size_t width = header.size();
   std::string setpoint;                // time and command of the row before
-  std::optional<double> tick_of_next;  // of the row after it, if no tick is missing
+  std::optional<double> tick_of_next;  // tick of the next row, if none is missing
   while (std::getline(lines, line)) {
     const auto cells = csv_cells(line);
     const bool complete = cells.size() == width && cells[at->state] != "disabled";
