@@ -465,6 +465,9 @@ constexpr std::array order_remedies{
     OrderRemedy{Cause::in_motion, CommandKind::move_repetitive,
                 "End the present motion first: `jounce order NAME halt` ends a move, `jounce order "
                 "NAME finish` ends a repetitive move or a table that repeats."},
+    OrderRemedy{Cause::in_motion, CommandKind::gear_in_pos,
+                "gear-in-pos needs an axis at standstill: `jounce order NAME halt` ends a coupling "
+                "or a move. In motion, use `gear-in`."},
     OrderRemedy{Cause::no_movement, CommandKind::hold, nothing_to_hold},
     OrderRemedy{Cause::not_a_group, CommandKind::move_linear_absolute, move_instead},
     OrderRemedy{Cause::not_a_group, CommandKind::move_linear_relative, move_instead},

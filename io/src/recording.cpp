@@ -3,7 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <sstream>
+#include <string_view>
+#include <utility>
 
+#include "jounce/base/detail/csv.hpp"
 #include "jounce/base/detail/listed.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/io/points.hpp"
@@ -23,13 +28,83 @@ std::string needed_columns(const std::string& position) {
          unit + ",feedback" + unit;
 }
 
-Points points_of(const std::string& path, const std::string& position) {
+/// The columns of a tick log that a recording needs, as indices; nullopt: the file is no tick log.
+struct TickColumns {
+  std::size_t state = 0, time = 0, position = 0, actual = 0;
+  std::optional<std::size_t> torque = {};
+};
+
+std::optional<TickColumns> tick_columns(const std::vector<std::string_view>& header,
+                                        const std::string& path) {
+  const auto find = [&](std::string_view wanted) -> std::optional<std::size_t> {
+    for (std::size_t k = 0; k < header.size(); ++k)
+      if (header[k].substr(0, header[k].find(' ')) == wanted) return k;
+    return std::nullopt;
+  };
+  const auto state = find("state");
+  const auto time = find("time");
+  const auto position = find("position");
+  if (header.empty() || header[0] != "tick" || !state || !time || !position) return std::nullopt;
+  const auto actual = find("actual");
+  if (!actual)
+    throw InputError("column \"actual\"", "",
+                     "is missing: this log contains only setpoints. Use an axis with a [drive], "
+                     "record its run with `jounce run --record run.lcmlog`, and list it with "
+                     "`jounce replay run.lcmlog --csv run.csv`")
+        .at(path, 1);
+  return TickColumns{*state, *time, *position, *actual, find("torque")};
+}
+
+std::string unit_in(std::string_view cell) {
+  const auto at = cell.find(' ');
+  return at == std::string_view::npos ? "" : std::string(cell.substr(at));
+}
+
+/// Returns the text of a tick log with feedback (`jounce replay --csv`) as that of a recording. A
+/// drive follows a setpoint from its tick on, and reports its response in the next tick. So each
+/// row has the feedback of the next tick. A row without it, or of a disabled axis, becomes an empty
+/// line: the other rows keep their lines. The torque of a tick is a share of `rated`, N m. Returns
+/// the text of another file as it is.
+std::string as_recording(const std::string& text, const std::string& path, double rated) {
+  std::istringstream lines(text);
+  std::string line;
+  if (!std::getline(lines, line)) return text;
+  const auto header = csv_cells(line);
+  const auto at = tick_columns(header, path);
+  if (!at) return text;
+  const bool torque = at->torque && rated > 0;
+  std::string recording = "time [s],command" + unit_in(header[at->position]) + ",feedback" +
+                          unit_in(header[at->actual]) + (torque ? ",torque [N m]" : "") + "\n";
+  const std::size_t width = header.size();
+  std::string setpoint;                // time and command of the row before
+  std::optional<double> tick_of_next;  // tick of the next row, if none is missing
+  while (std::getline(lines, line)) {
+    const auto cells = csv_cells(line);
+    const bool complete = cells.size() == width && cells[at->state] != "disabled";
+    const auto tick = complete ? csv_number(cells[0]) : std::nullopt;
+    const auto actual = complete ? csv_number(cells[at->actual]) : std::nullopt;
+    const auto share = complete && torque ? csv_number(cells[*at->torque]) : std::nullopt;
+    if (tick && tick == tick_of_next && actual && (share || !torque)) {
+      recording += setpoint + ',' + std::string(cells[at->actual]);
+      if (torque) recording += ',' + number(*share * rated);
+    }
+    recording += '\n';
+    tick_of_next = tick ? std::optional(*tick + 1) : std::nullopt;
+    if (complete) setpoint = std::string(cells[at->time]) + ',' + std::string(cells[at->position]);
+  }
+  return recording;
+}
+
+Points points_of(const std::string& path, const std::string& position, double rated) {
   try {
-    Points points = read_points(path);
+    Points points = parse_points(as_recording(point_file_bytes(path), path, rated), path);
     points.name_columns(known_columns);
     return points;
   } catch (const InputError& error) {
-    if (error.key() != "header") throw;
+    const bool is_known =
+        std::find(known_columns.begin(), known_columns.end(), error.key()) != known_columns.end();
+    if (is_known || error.key().empty() || error.line() == 0 || error.key().starts_with("column"))
+      throw;
     throw InputError(error.key(), error.value(), error.rule() + ". " + needed_columns(position))
         .at(error.document(), error.line(), error.column());
   }
@@ -77,7 +152,9 @@ std::vector<double> torques(const Points& points, const Drive& drive) {
 }  // namespace
 
 Recording read_recording(const std::string& path, const Drive& drive, const std::string& position) {
-  const Points points = points_of(path, position);
+  const Motor& motor = drive.motor;
+  const double rated = motor.rated_torque > 0 ? motor.rated_torque : motor.torque_limit;
+  const Points points = points_of(path, position, rated);
   require_columns(points, position);
   const auto optional = [&](const char* name, const std::string& unit) {
     return points.find(name) == nullptr ? std::vector<double>{} : column(points, name, unit);

@@ -58,10 +58,16 @@ std::size_t column(const std::vector<std::string_view>& header, std::string_view
 /// The place of a tick on its motion: the argument of the motion, and a shift of the position.
 struct OnMotion {
   std::function<double(const PlayedTick&)> at;
-  double shift = 0;  // u
+  double shift = 0;        // u
+  bool corrected = false;  // the position includes PlayedTick::correction
   /// Time or distance of the master since its zero, whose rounding shifts the argument.
   std::function<double(const PlayedTick&)> counted;
 };
+
+/// The position in a tick without its correction.
+double own_position(const PlayedTick& tick, bool corrected) {
+  return tick.position - (corrected ? tick.correction : 0);
+}
 
 /// The greatest deviation of a position from the commanded one.
 template <class Position>
@@ -69,7 +75,8 @@ Deviation farthest(const std::vector<PlayedTick>& ticks, const OnMotion& on,
                    const Position& position) {
   Deviation most;
   for (const PlayedTick& tick : ticks) {
-    const double error = std::abs(tick.position - on.shift - position(on.at(tick)));
+    const double error =
+        std::abs(own_position(tick, on.corrected) - on.shift - position(on.at(tick)));
     if (error <= most.error) continue;
     most.error = error;
     most.where = tick.time;
@@ -121,10 +128,13 @@ std::optional<Deviations> compare_over_master(const std::vector<PlayedTick>& tic
                                               const Designed& designed) {
   const PlayedTick& first = ticks.front();
   if (!designed.over_master.table || !first.master) return std::nullopt;
-  const double shift = first.position - designed.over_master.table(0).position;
+  const bool corrected = std::any_of(ticks.begin(), ticks.end(),
+                                     [](const PlayedTick& tick) { return tick.correction != 0; });
+  const double shift = own_position(first, corrected) - designed.over_master.table(0).position;
   for (const auto& [origin, by] : {std::pair{0.0, 0.0}, {*first.master, shift}}) {
     const OnMotion on{.at = [origin](const PlayedTick& tick) { return *tick.master - origin; },
                       .shift = by,
+                      .corrected = corrected,
                       .counted = [](const PlayedTick& tick) { return *tick.master; }};
     Deviations result = compare(ticks, on, designed.over_master, designed.tolerance);
     if (result.ok()) return result;
@@ -188,6 +198,31 @@ void add_gap(Report& report, const std::vector<PlayedTick>& ticks, const Designe
       missing > cycle * (1 + rounded_input), "the motion was stopped, or the log ends early", "s");
 }
 
+/// The column of the correction of a slave: one in the unit of the master is part of the master.
+std::optional<std::size_t> correction_of_slave(const std::vector<std::string_view>& header) {
+  const auto unit = [&](std::optional<std::size_t> at) {
+    return at ? header[*at].substr(std::min(header[*at].find(' '), header[*at].size())) : "";
+  };
+  const auto found = find_column(header, "correction");
+  const bool of_slave = found && unit(found) == unit(find_column(header, "position"));
+  return of_slave ? found : std::nullopt;
+}
+
+/// The advice for a motion that is not that of the table.
+const char* other_table(const Designed& designed) {
+  if (designed.cutter)
+    return "an axis with this cutter plays a plan of cuts, not this table: its cuts come where the "
+           "plan places them on the web, and this comparison does not include them. If the axis "
+           "played this table, then another one than the one designed, or a fault ended the "
+           "motion (column fault of the log)";
+  if (designed.over_master.table)
+    return "the executor played another table than the one designed, a fault ended the motion "
+           "(column fault of the log), or the axis followed a live master with a start mode, a "
+           "phase shift or a motion on top, which this comparison does not include";
+  return "the executor played another table than the one designed, or a fault ended the motion: "
+         "see the column fault of the log";
+}
+
 }  // namespace
 
 std::vector<PlayedTick> read_played(const std::string& csv, const std::string& name) {
@@ -201,6 +236,7 @@ std::vector<PlayedTick> read_played(const std::string& csv, const std::string& n
   const std::size_t position = column(header, "position", place);
   const std::size_t job = column(header, "job", place);
   const bool live = find_column(header, "profile").has_value();
+  const auto correction_column = correction_of_slave(header);
   const auto master_column = live ? find_column(header, "master") : std::nullopt;
   const auto fault_column = find_column(header, "fault");
   const std::size_t width = header.size();
@@ -228,7 +264,10 @@ std::vector<PlayedTick> read_played(const std::string& csv, const std::string& n
       ticks.back().fault = fault_column && row_cells[*fault_column] != "none";
     // A late cycle may skip the end: the first tick at rest then shows it.
     const bool shows_end = has_ended && !ticks.empty() && tick > ticks.back().tick + 1;
-    if (current != "0" || shows_end) ticks.push_back({tick, now - start, at, now, master});
+    const double correction =
+        correction_column ? real(row_cells[*correction_column], "correction", place) : 0;
+    if (current != "0" || shows_end)
+      ticks.push_back({tick, now - start, at, now, master, correction});
   }
   if (ticks.empty())
     throw InputError(
@@ -248,13 +287,7 @@ Played compare_played(const std::vector<PlayedTick>& ticks, const Designed& desi
                 .table = compared.table,
                 .curve = compared.curve,
                 .report = {}};
-  add(played.report, "played/table", played.table,
-      designed.over_master.table
-          ? "the executor played another table than the one designed, a fault ended the motion "
-            "(column fault of the log), or the axis followed a live master with a start mode, a "
-            "phase shift or a motion on top, which this comparison does not include"
-          : "the executor played another table than the one designed, or a fault ended the motion: "
-            "see the column fault of the log");
+  add(played.report, "played/table", played.table, other_table(designed));
   if (played.curve)
     add(played.report, "played/curve", *played.curve,
         "the executor played another table, or the table exceeds its tolerance");

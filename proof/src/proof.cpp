@@ -10,6 +10,7 @@
 #include "jounce/base/file.hpp"
 #include "jounce/design/detail/driven.hpp"
 #include "jounce/design/detail/reference.hpp"
+#include "jounce/spec/sync_spec.hpp"
 #include "jounce/validate/linear_drive.hpp"
 
 #include "proof/src/figure/follower_figure.hpp"
@@ -43,6 +44,8 @@ Played played(const Input& input, const std::string& log) {
   const Reference table = table_reference(input);
   Designed designed{.over_time = {.table = [&](double t) { return at(table, t); }},
                     .duration = duration(table)};
+  const auto* const sync = input.spec ? std::get_if<SyncSpec>(&input.spec->subject) : nullptr;
+  designed.cutter = sync != nullptr && cut_list_of(*sync).has_value();
   const Cam* const cam = std::get_if<Cam>(&*input.curve);
   // A log may contain places of the master at which the cam is not defined.
   const Table& of_master = input.table.table;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A finished table is compared with its spec: its curve, all limits, and the version of the spec. The witness computes
 // the motion of the table from its knots, by Hermite's formula, at many places.
-#include "design/src/input/against_spec.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -14,8 +12,10 @@
 #include "jounce/controllers/exchange/exchange.hpp"
 #include "jounce/design/detail/file_check.hpp"
 #include "jounce/design/files/file_difference.hpp"
+#include "jounce/io/table_file.hpp"
 #include "jounce/profiles/error.hpp"
 
+#include "design/src/input/against_spec.hpp"
 #include "support/errors.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -337,6 +337,36 @@ TEST_F(Against, TheDifferenceOfTwoSpecsShowsTheirTables) {
   EXPECT_THAT(to_text(difference("0")), HasSubstr("! [table]: " + knots(before)));
   EXPECT_THAT(to_text(difference("0")), HasSubstr("-> " + knots(after)));
   EXPECT_TRUE(difference("position=0.011").equal());
+}
+
+// Far from 0, the rounding of the knots exceeds the limit: the row of the limit was dropped.
+TEST_F(Against, ALimitThatIsMetWithinRoundingKeepsItsRow) {
+  for (const double from : {0.0, 25'000.0, 720'000.0, -3e6}) {
+    const std::string spec =
+        write("move.toml",
+              "jounce = 1\nkind = \"move\"\nname = \"o\"\nunits = { position = \"mm\" }\n"
+              "[move]\nprofile = \"trapezoid\"\nfrom = " +
+                  number(from) + "\nto = " + number(from + 0.5) +
+                  "\nvelocity = 7.3\nacceleration = 333\n[limits]\nvelocity = 7.3\n"
+                  "acceleration = 333\n");
+    const Input made = read_inputs(spec).front();
+    const std::string table = write("move.csv", to_csv(made.table));
+    const std::vector<Report> reports = check(table, {.against = spec});
+    ASSERT_EQ(reports.size(), 1U);
+    EXPECT_EQ(reports.front().broken(), 0U) << from;
+    for (const auto& [rule, limit] :
+         {std::pair{"limit/velocity", 7.3}, {"limit/acceleration", 333.0}}) {
+      std::size_t rows = 0;
+      for (const Finding& f : reports.front().findings) {
+        EXPECT_NE(f.rule.text(), "warning/no_limits");
+        if (f.rule.text() != rule) continue;
+        ++rows;
+        EXPECT_NEAR(f.value, limit, 1e-5 * limit) << from;
+        EXPECT_EQ(f.limit, limit);
+      }
+      EXPECT_EQ(rows, 1U) << rule << " from " << from;
+    }
+  }
 }
 
 }  // namespace

@@ -90,5 +90,40 @@ TEST(Recording, RejectsWhatIsNone) {
               HasSubstr(".csv:4:1: time = 1 s: must be greater than 1 s"));
 }
 
+const std::string ticks =
+    "tick,time [s],state,position [deg],velocity [deg/s],job,fault,actual [deg],torque [rated]\n";
+
+TEST(Recording, IsReadFromTheTicksOfARun) {
+  const std::string log = ticks +
+                          "0,0,disabled,0,0,0,none,0,0\n"
+                          "1,0.001,standstill,0,0,0,none,nan,0\n"
+                          "2,0.002,standstill,0,0,0,none,0.25,0\n"
+                          "3,0.003,discrete_motion,1,7,1,none,0.5,0.5\n"
+                          "4,0.004,discrete_motion,2,7,1,none,1.5,-1\n"
+                          "6,0.006,standstill,4,0,0,none,3.5,0\n"
+                          "7,0.007,standstill,4,0,0,none,4,0.5\n";
+  Drive drive = servo_400w();
+  drive.motor.rated_torque = 1.5;
+  const Recording run = recorded(log, drive);
+  EXPECT_THAT(run.time, ElementsAre(0.001, 0.002, 0.003, 0.006));
+  EXPECT_THAT(run.command, ElementsAre(0, 0, 1, 4));
+  EXPECT_THAT(run.position, ElementsAre(0.25, 0.5, 1.5, 4)) << "of the next tick";
+  EXPECT_THAT(run.torque, ElementsAre(0, 0.75, -1.5, 0.75));
+  EXPECT_THAT(run.velocity, IsEmpty()) << "that of a tick is a setpoint";
+  drive.motor.rated_torque = 0;
+  drive.motor.torque_limit = 3;
+  EXPECT_THAT(recorded(log, drive).torque, ElementsAre(0, 1.5, -3, 1.5));
+}
+
+TEST(Recording, NamesTheCommandsThatListTheFeedback) {
+  const std::string no = refused(
+      "tick,time [s],state,position [deg],velocity [deg/s],job,fault\n"
+      "0,0,disabled,0,0,0,none\n");
+  EXPECT_THAT(no, HasSubstr("column \"actual\": is missing"));
+  EXPECT_THAT(no, HasSubstr("jounce replay run.lcmlog --csv run.csv"));
+  EXPECT_THAT(refused("time [s],state,position\n0,disabled,0\n"),
+              HasSubstr("A recording needs time, command"));
+}
+
 }  // namespace
 }  // namespace jounce::recording_test

@@ -213,5 +213,39 @@ TEST(Played, FindsOneWrongTickOfALiveMaster) {
   EXPECT_FALSE(played.live);
 }
 
+/// A log of a slave at 2 units per unit of its master, with a correction that grows by 0.5 a tick.
+std::string corrected_log(const std::string& unit_of_correction) {
+  std::string log =
+      "tick,time [s],state,master [mm],position [deg],job,fault,profile [s=mm],deviation [mm]," +
+      std::string("correction [") + unit_of_correction + "]\n";
+  for (int k = 0; k < 20; ++k)
+    log += std::to_string(k) + "," + number(k * 0.001) + ",synchronized_motion," +
+           number(10.0 * k) + "," + number(20.0 * k + 0.5 * k) + ",1,none,,0," + number(0.5 * k) +
+           "\n";
+  return log;
+}
+
+Designed doubled() {
+  const auto table = [](double x) { return Motion{2 * x, 2, 0, 0}; };
+  return {.over_time = {.table = table}, .over_master = {.table = table}, .duration = 0.019};
+}
+
+TEST(Played, SubtractsTheCorrectionOfASlave) {
+  const Played played = compare_played(read_played(corrected_log("deg"), "run.csv"), doubled());
+  EXPECT_TRUE(played.report.ok()) << played.table.error;
+  EXPECT_TRUE(played.live);
+  // A correction of the master is part of the column master.
+  EXPECT_FALSE(compare_played(read_played(corrected_log("mm"), "run.csv"), doubled()).report.ok());
+}
+
+TEST(Played, StatesThatACutterPlaysAPlan) {
+  Designed designed = doubled();
+  designed.cutter = true;
+  const Played played = compare_played(read_played(corrected_log("mm"), "run.csv"), designed);
+  ASSERT_FALSE(played.report.ok());
+  EXPECT_NE(played.report.findings.front().advice.find("plays a plan of cuts, not this table"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace jounce::played_test

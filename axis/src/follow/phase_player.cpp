@@ -6,6 +6,7 @@
 
 #include "jounce/profiles/detail/tolerances.hpp"
 
+#include "axis/src/follow/coupled_peaks.hpp"
 #include "axis/src/motion/move_plan.hpp"
 
 namespace jounce {
@@ -17,13 +18,13 @@ constexpr double share_of_cam = 0.5;  ///< share of the acceleration limit; see 
 
 /// (1), (2), (3) for a shift with these magnitudes, m/s, m/s^2, m/s^3.
 Peaks needed(const PhaseBase& base, const Peaks& shift) {
-  const auto [k1, k2, k3] = base.slopes;
-  const double w = std::abs(base.master[1]) + shift.velocity;
-  const double a = std::abs(base.master[2]) + shift.acceleration;
-  const double j = std::abs(base.master[3]) + shift.jerk;
-  return {.velocity = k1 * w + base.other.velocity,
-          .acceleration = k1 * a + k2 * w * w + base.other.acceleration,
-          .jerk = k1 * j + 3 * k2 * w * a + k3 * w * w * w + base.other.jerk};
+  const Peaks slave =
+      coupled_peaks(base.slopes, {.velocity = std::abs(base.master[1]) + shift.velocity,
+                                  .acceleration = std::abs(base.master[2]) + shift.acceleration,
+                                  .jerk = std::abs(base.master[3]) + shift.jerk});
+  return {.velocity = slave.velocity + base.other.velocity,
+          .acceleration = slave.acceleration + base.other.acceleration,
+          .jerk = slave.jerk + base.other.jerk};
 }
 
 std::optional<Refusal> against(const Peaks& need, const Limits& limits) {

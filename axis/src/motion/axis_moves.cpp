@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "axis/src/follow/coupled_peaks.hpp"
 #include "axis/src/motion/setpoint_check.hpp"
 #include "axis/src/state/axis_impl.hpp"
 
@@ -58,11 +59,24 @@ MoveRules MotionAxis::Impl::move_rules() const {
 Peaks MotionAxis::Impl::beneath() const {
   if (on_path()) return path_.peaks_at_rate();
   if (base_ == Base::move) return move_.peaks_up_to(factor_);
+  return beneath_live(bare_.state);
+}
+
+/// The same for a coupling with a live master, in the state `slave`: what it needs anywhere on its
+/// cam, for the present motion of the master. No present state is greater, except on a way without
+/// a cam, such as the way home of a cutter.
+Peaks MotionAxis::Impl::beneath_live(const MotionState& slave) const {
   const Peaks ramp = live_->peaks();
   const Peaks phase = live_.phase().peaks(now_.tick);
-  const auto& [p, v, a] = bare_.state;
-  return {std::abs(v) + phase.velocity,
-          std::max(std::abs(a), ramp.acceleration) + phase.acceleration, ramp.jerk + phase.jerk};
+  const Peaks planned = live_->greatest();
+  const Jet& x = inputs_.master;
+  const Peaks cam =
+      coupled_peaks(live_->slopes(), {std::abs(x[1]), std::abs(x[2]), std::abs(x[3])});
+  return {std::max({std::abs(slave.velocity), cam.velocity, planned.velocity}) + phase.velocity,
+          std::max({std::abs(slave.acceleration), cam.acceleration + ramp.acceleration,
+                    planned.acceleration}) +
+              phase.acceleration,
+          std::max(cam.jerk + ramp.jerk, planned.jerk) + phase.jerk};
 }
 
 /// Begins a move on top of the present motion, or returns the reason to reject it.

@@ -9,6 +9,7 @@
 #include <set>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include "jounce/base/units.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
@@ -135,20 +136,35 @@ void keep_worst(Report& report, const Labels& labels) {
 
 namespace {
 
-/// For a table without its spec: excesses by rounding become findings of limits that are just met.
+/// The excesses of limits that are only rounding become one finding for each limit, which is just
+/// met. A limit that is broken elsewhere keeps its broken findings alone.
+template <class IsRounding>
+void meet(Report& report, const IsRounding& is_only_rounding) {
+  std::set<std::string> met;
+  std::set<std::string> broken;
+  std::vector<bool> forgiven;
+  for (const Finding& f : report.findings) {
+    const bool breaks = f.broken && f.rule.family() == RuleFamily::limit;
+    forgiven.push_back(breaks && is_only_rounding(f));
+    if (breaks && !forgiven.back()) broken.insert(f.rule.text());
+  }
+  std::size_t k = 0;
+  std::erase_if(report.findings, [&](Finding& f) {
+    if (!forgiven[k++]) return false;
+    f.broken = false;
+    f.margin = 0;
+    f.advice.clear();
+    return broken.contains(f.rule.text()) || !met.insert(f.rule.text()).second;
+  });
+}
+
+/// For a table without its spec.
 void forgive_knots(Report& report, const Input& input) {
   if (report.ok()) return;
   const Table& table = input.table.table;
   const KnotRounding rounding = rounding_of(table, input);
-  std::set<std::string> met;
-  std::erase_if(report.findings, [&](Finding& f) {
-    const bool limits = f.broken && f.rule.family() == RuleFamily::limit;
-    if (!limits || f.rule.name().starts_with("position") || !is_rounding(f, table, rounding))
-      return false;
-    f.broken = false;
-    f.margin = 0;
-    f.advice.clear();
-    return !met.insert(f.rule.text()).second;
+  meet(report, [&](const Finding& f) {
+    return !f.rule.name().starts_with("position") && is_rounding(f, table, rounding);
   });
 }
 
@@ -159,6 +175,7 @@ void forgive_rounding(Report& report, const Input& input) {
     if (!input.error) forgive_knots(report, input);
     return;
   }
+  if (report.ok()) return;
   const AgainstSpec& against = *input.against;
   const Table& table = input.table.table;
   const KnotRounding rounding = rounding_of(table, input);
@@ -166,8 +183,7 @@ void forgive_rounding(Report& report, const Input& input) {
     return std::find(against.broken.begin(), against.broken.end(), f.rule.text()) ==
            against.broken.end();
   };
-  std::erase_if(report.findings, [&](const Finding& f) {
-    if (!f.broken || f.rule.family() != RuleFamily::limit) return false;
+  meet(report, [&](const Finding& f) {
     const double beyond = std::abs(f.value - f.limit);
     if (f.rule.name().starts_with("position"))
       return is_new(f) && beyond <= std::min(against.error.position, against.tolerance);

@@ -103,7 +103,7 @@ void Cycle::write() {
     const AxisImage& image = images_[i];
     if (AxisDrive* const drive = options_.drives[i]) {
       DriveSetpoint next = drive_setpoint(image.tick, image.command);
-      next.master = image.inputs.master[0];
+      next.master = image.inputs.master[0] - image.inputs.master_offset;
       drive->command(next);
     }
     if (options_.record != nullptr)

@@ -110,6 +110,8 @@ TickLog::TickLog(std::filesystem::path path, const Units& units, const LogColumn
           << (*more.registration == CorrectionOf::master ? m : u) << "],marks,missed,strays";
   if (more.compensation)
     file_ << ",compensated,compensation" << u << "],drive_position" << u << "]";
+  if (more.feedback) file_ << ",actual" << u << "],following_error" << u << "]";
+  if (more.torque) file_ << ",torque [rated]";
   file_ << '\n';
   file_.flush();
   if (file_) return;
@@ -142,6 +144,8 @@ void TickLog::add(const Tick& tick) {
   if (more_.compensation)
     join(line_, "", tick.compensated ? 1 : 0, tick.correction[0],
          tick.position + tick.correction[0] - tick.offset);
+  if (more_.feedback) join(line_, "", tick.actual_position, tick.following_error);
+  if (more_.torque) join(line_, "", tick.torque);
   line_ += '\n';
   file_ << line_;
   look();

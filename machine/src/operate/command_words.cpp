@@ -364,7 +364,9 @@ InputError value_missing(const std::string& word, const std::string& name, const
 double number_in_range(const CommandWords& words, const Field& field, const FieldOption& about,
                        const std::string& name, const std::string& text, const std::string& unit) {
   const double value = number_of(name, text, unit);
-  if (const std::string rule = rule_for_number(words.what, field, name, value); !rule.empty())
+  const std::string rule = about.range ? broken_rule(*about.range, value)
+                                       : rule_for_number(words.what, field, name, value);
+  if (!rule.empty())
     throw InputError(name, csv_number(text) && !unit.empty() ? text + " " + unit : text,
                      rule + about.reason);
   return value;

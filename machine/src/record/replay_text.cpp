@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <fstream>
 #include <optional>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -28,10 +30,23 @@ std::ifstream opened(const std::string& file) {
   return in;
 }
 
-RecordedAxis axis_in(std::istream& in, const std::string& file, const std::string& wanted) {
-  const Replay names = replay(in, file);
+/// An axis of a record, and the feedback that its drive reported.
+struct WithFeedback {
+  RecordedAxis axis = {};
+  bool position = false;
+  bool torque = false;
+};
+
+WithFeedback axis_in(std::istream& in, const std::string& file, const std::string& wanted) {
+  std::set<std::size_t> positions;
+  std::set<std::size_t> torques;
+  const Replay names = replay(in, file, [&](const RecordedCycle& cycle) {
+    if (!std::isnan(cycle.tick.actual_position)) positions.insert(cycle.axis);
+    if (!std::isnan(cycle.tick.torque)) torques.insert(cycle.axis);
+  });
   for (const RecordedAxis& axis : names.axes)
-    if (wanted.empty() || axis.name == wanted) return axis;
+    if (wanted.empty() || axis.name == wanted)
+      return {axis, positions.contains(axis.axis), torques.contains(axis.axis)};
   std::string known;
   for (const RecordedAxis& axis : names.axes) known += (known.empty() ? "" : ", ") + axis.name;
   throw InputError("axis", wanted, "is not an axis of the record, which has: " + known).at(file);
@@ -161,10 +176,11 @@ Figure tick_figure(const std::deque<Tick>& ticks, const RecordedAxis& axis) {
 
 ReplayedFile replay_file(const std::string& path, const ReplayFileOptions& options) {
   std::ifstream in = opened(path);
-  RecordedAxis axis;
+  WithFeedback found;
+  const RecordedAxis& axis = found.axis;
   const bool is_listed = !options.csv.empty();
   if (options.ticks || is_listed) {
-    axis = axis_in(in, path, options.axis);
+    found = axis_in(in, path, options.axis);
     in.clear();
     if (!in.seekg(0))
       throw InputError("", "", "is a pipe, but the ticks of an axis need two passes: give a file")
@@ -175,7 +191,9 @@ ReplayedFile replay_file(const std::string& path, const ReplayFileOptions& optio
   std::optional<TickLog> csv;
   if (is_listed)
     csv.emplace(options.csv, axis.units,
-                LogColumns{.compensation = axis.config.compensation.has_value()});
+                LogColumns{.compensation = axis.config.compensation.has_value(),
+                           .feedback = found.position,
+                           .torque = found.torque});
   Replay result = replay(in, path, [&](const RecordedCycle& cycle) {
     if (options.last) ticks.add(cycle);
     if (options.ticks && !options.last) motion.add(cycle);
@@ -184,7 +202,7 @@ ReplayedFile replay_file(const std::string& path, const ReplayFileOptions& optio
   if (csv && options.last)
     for (const Tick& tick : ticks.kept()) csv->add(tick);
   if (csv) csv->close();
-  return {std::move(result), std::move(axis), options.last ? ticks.kept() : motion.kept()};
+  return {std::move(result), std::move(found.axis), options.last ? ticks.kept() : motion.kept()};
 }
 
 }  // namespace jounce

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/axis/live_cam.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -121,6 +122,36 @@ struct Coupled : Bench {
 
   std::function<Jet(double)> master;
 };
+
+// The share of the move came from the acceleration of one instant: the axis faulted at a later one.
+TEST(LiveCam, LeavesASuperimposedMoveWhatItsWholePeriodDoesNotUse) {
+  const TablePtr table = pmc600_cam();
+  double k1 = 0;
+  double k2 = 0;
+  for (int i = 0; i <= 36'000; ++i) {
+    const Jet f = table->jet(i * 0.01);
+    k1 = std::max(k1, std::abs(f[1]));
+    k2 = std::max(k2, std::abs(f[2]));
+  }
+  const AxisConfig config{.limits = limits(1.25 * 200 * k1, 1.05 * 200 * 200 * k2)};
+  for (int wait = 0; wait < 1800; wait += 50) {
+    LiveCam cam(1, table);
+    Coupled bench(config, steady(200));
+    bench.master = [](double t) { return steady(200)(t - 3e-3); };
+    bench.begin(cam);
+    bench.run(1800 + wait);
+    const Tick begun = bench.step({command::MoveSuperimposed{.distance = 10}});
+    EXPECT_EQ(refusal(begun), Cause::none) << wait;
+    for (int i = 0; i < 3600; ++i) {
+      const Tick now = bench.step();
+      ASSERT_EQ(now.fault, Cause::none) << wait << ", " << i << " ticks later";
+      ASSERT_LE(std::abs(now.velocity), *config.limits.velocity);
+      ASSERT_LE(std::abs(now.acceleration), *config.limits.acceleration);
+      if (i < 3599) continue;
+      EXPECT_NEAR(now.position, table->jet(now.master)[0] + 10, 1e-8) << wait;
+    }
+  }
+}
 
 // The same through the axis, onto its last line by a quintic: where that was asked for it keeps its
 // velocity in continuous_motion, as after CamOut.

@@ -130,8 +130,25 @@ void explain(const Recording& recording, const IdentifySpec& spec, const Fitted&
   answer.notes = doubts(answer.explained);
 }
 
+/// For a model that does not fit: the torque feed-forward may be that of another inertia.
+std::string feed_forward_note(const IdentifySpec& spec) {
+  const bool fits_inertia = std::any_of(
+      spec.fit.begin(), spec.fit.end(), [](const auto& key) { return key.ends_with("inertia"); });
+  const double factor = spec.drive.controller.torque_feed_forward;
+  if (!fits_inertia || factor == 0) return "";
+  const double given = inertia(spec.drive);
+  return fmt::format(
+      "the torque feed-forward of the controller uses {:.4g} kg m^2, {:.4g} times the given "
+      "inertia. If the controller of the recorded drive used another inertia, divide it by {:.4g} "
+      "kg m^2, the given one, and set controller.torque_feed_forward to the quotient",
+      factor * given, factor, given);
+}
+
 /// A note on the change of the controller.
 void note(const IdentifySpec& spec, Identification& answer) {
+  const bool misfit = !doubts(answer.explained).empty();
+  if (const std::string text = feed_forward_note(spec); misfit && !text.empty())
+    answer.notes.push_back(text);
   if (spec.drive.controller.cycle > 0)
     answer.notes.emplace_back(
         "the model replaces the sampled controller by a continuous one, one cycle later");

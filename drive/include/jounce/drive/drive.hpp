@@ -20,8 +20,9 @@ struct DriveSetpoint {
   /// True: follow the setpoints. False: stop with the drive's own quick stop, then disable.
   bool enable = false;
   bool reset = false;  ///< true for one tick: clear the fault
-  /// Position of the live master of the axis, in the unit of the master; NaN: no master. Only for
-  /// the sensors of a simulated machine.
+  /// Position of the live master of the axis, in the unit of the master, without the changes of its
+  /// coordinate by set_position: a place on the material. NaN: no master. Only for the sensors of a
+  /// simulated machine.
   double master = std::numeric_limits<double>::quiet_NaN();
 };
 

@@ -20,6 +20,10 @@ namespace jounce {
 ///   of the drive;
 /// - `load`: position of an encoder at the last mass.
 ///
+/// A tick log with feedback (`jounce replay --csv`) is a recording, too: its columns position and
+/// actual are command and feedback (of the next tick, which has the response), and its torque is a
+/// share of the rated torque of the motor or, without one, of its torque limit. Rows of a disabled axis are ignored.
+///
 /// Other columns are ignored. A column without a unit has the unit of the drive's spec, or s, N m,
 /// A. Throws InputError with file, line, column and rule for everything that points.hpp rejects,
 /// for a missing column, for fewer than four rows, for a number of magnitude 1e100 or more, for

@@ -22,6 +22,8 @@ struct PlayedTick {
                           ///< the rounding of `time`
   /// Position of the master, in its unit, if the axis has a live master (column `profile`).
   std::optional<double> master = {};
+  /// Correction of the slave by its registration, u, which `position` includes; 0: none.
+  double correction = 0;
   bool fault = false;  ///< true: the next tick has a fault, which ended the motion
 };
 
@@ -43,6 +45,7 @@ struct Designed {
   DesignedMotion over_master{};
   double tolerance = 0;  ///< permitted deviation of the table from the curve, u
   double duration = 0;   ///< duration of the motion, s
+  bool cutter = false;   ///< true: the spec of a machine that cuts, whose axis plays a plan of cuts
 };
 
 /// The greatest deviation of the setpoints from a reference.
@@ -72,7 +75,8 @@ struct Played {
 
 /// Compares every tick with the design: over time, or, if the positions do not agree, over the
 /// master of the log. The axis may have engaged at the position of the cam, or with master and
-/// slave counted from its first tick. Requires at least one tick, and a table over time in
+/// slave counted from its first tick. Over the master, the comparison subtracts the correction of
+/// the slave. Requires at least one tick, and a table over time in
 /// `designed`. The permitted rounding is most_roundings eps (p + v t), with the greatest position
 /// p, the greatest velocity v, and the time t of the log. A position is computed from a time, so
 /// the rounding of the time shifts the position.

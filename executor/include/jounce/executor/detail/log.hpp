@@ -20,6 +20,8 @@ struct LogColumns {
   bool profile = false;                           ///< events of cams and follow tables
   std::optional<CorrectionOf> registration = {};  ///< state of the registration
   bool compensation = false;                      ///< state and correction of the compensation
+  bool feedback = false;                          ///< actual position and following error
+  bool torque = false;                            ///< torque of the drive
 };
 
 /// The tick log of an axis: a CSV file with one line for each tick. The first line contains the
