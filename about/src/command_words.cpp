@@ -34,10 +34,89 @@ std::string did_you_mean(const std::string& near) {
   return near.empty() ? "" : ": did you mean " + near + "?";
 }
 
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 bool has_option(const VerbInfo& verb, const std::string& name) {
-  return std::any_of(verb.options.begin(), verb.options.end(), [&](const OptionInfo& option) {
-    return std::find(option.names.begin(), option.names.end(), name) != option.names.end();
-  });
+  return std::any_of(verb.options.begin(), verb.options.end(),
+                     [&](const OptionInfo& option) { return contains(option.names, name); });
+}
+
+using Options = std::vector<const OptionInfo*>;
+
+/// True if one of the names is a name of the option.
+bool is_among(const OptionInfo& option, const std::vector<std::string>& names) {
+  return std::any_of(option.names.begin(), option.names.end(),
+                     [&](const std::string& name) { return contains(names, name); });
+}
+
+/// The options of a verb that are among the words, in the order of the help.
+Options given_options(std::span<const char* const> given, const VerbInfo& verb) {
+  std::vector<std::string> names;
+  for (const std::string word : given) names.push_back(word.substr(0, word.find('=')));
+  Options all;
+  for (const OptionInfo& option : verb.options)
+    if (is_among(option, names)) all.push_back(&option);
+  return all;
+}
+
+/// "--a, --b and --c".
+std::string listed(const Options& options) {
+  std::string text;
+  for (std::size_t i = 0; i < options.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == options.size() ? " and " : ", ") + options[i]->names.back();
+  return text;
+}
+
+/// These options, each followed by the given options that need it.
+Options with_dependents(const Options& options, const Options& given) {
+  Options all;
+  for (const OptionInfo* const option : options) {
+    all.push_back(option);
+    for (const OptionInfo* const other : given)
+      if (is_among(*option, other->needs) &&
+          std::find(options.begin(), options.end(), other) == options.end())
+        all.push_back(other);
+  }
+  return all;
+}
+
+/// The error of options that exclude each other; "" for none.
+std::string excluding_options(const Options& given) {
+  for (const OptionInfo* const one : given) {
+    Options excluded;
+    for (const OptionInfo* const other : given)
+      if (is_among(*other, one->excludes)) excluded.push_back(other);
+    if (excluded.empty()) continue;
+    const Options first = with_dependents({one}, given);
+    const Options second = with_dependents(excluded, given);
+    return listed({one}) + " cannot be combined with " + listed(excluded) + ": " +
+           (first.size() + second.size() == 2
+                ? "give one of the two"
+                : "leave out " + listed(first) + ", or leave out " + listed(second));
+  }
+  return "";
+}
+
+/// The error of an option that needs another one; "" for none.
+std::string missing_option(const Options& given, const VerbInfo& verb) {
+  for (const OptionInfo& needed : verb.options) {
+    Options all;
+    for (const OptionInfo* const one : given)
+      if (is_among(needed, one->needs)) all.push_back(one);
+    if (all.empty() || std::find(given.begin(), given.end(), &needed) != given.end()) continue;
+    Options excluded;
+    for (const OptionInfo* const one : given)
+      if (is_among(*one, needed.excludes)) excluded.push_back(one);
+    const std::string what = listed(all);
+    const std::string text = what + (all.size() == 1 ? " needs " : " need ") + needed.names.back();
+    return excluded.empty()
+               ? text + ": add it, or leave out " + what
+               : text + ", which cannot be combined with " + listed(excluded) + ": leave out " +
+                     what + ", or replace " + listed(excluded) + " by " + needed.names.back();
+  }
+  return "";
 }
 
 /// The visible options of a verb; those of the program if it is null.
@@ -69,6 +148,25 @@ std::string verbs_with(const ProgramInfo& program, const std::string& name) {
   return count == 0 || count > most ? "" : ", but of " + verbs;
 }
 
+/// The hint for an option that has the name of an argument: --shell for SHELL. "" for another one.
+std::string meant_argument(std::span<const char* const> given, const std::string& option,
+                           const VerbInfo& verb) {
+  std::string name = option.substr(option.find_first_not_of('-'));
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::toupper(letter)); });
+  for (const OptionInfo& one : verb.positionals) {
+    if (one.names.front() != name) continue;
+    std::string command = "jounce";
+    for (const std::string word : given) {
+      const bool has_value = word.starts_with(option + "=");
+      if (word == option) continue;
+      command += " " + (has_value ? word.substr(option.size() + 1) : word);
+    }
+    return ": write " + name + " without " + option + ", `" + command + "`";
+  }
+  return "";
+}
+
 /// The hint for a wrong option.
 std::string meant_option(const std::string& name, const ProgramInfo& program,
                          const std::string& verb) {
@@ -82,7 +180,7 @@ std::string meant_option(const std::string& name, const ProgramInfo& program,
     if (const std::string option = described_by(*own, word); !option.empty())
       return did_you_mean(option);
   if (const std::string near = word.size() > 1 ? nearest(name, visible_options(program, own)) : "";
-      !near.empty())
+      !near.empty() && (near != "--help" || word[0] == 'h'))
     return did_you_mean(near);
   return verbs_with(program, name);
 }
@@ -124,15 +222,22 @@ std::string wrong_option(std::span<const char* const> given,
     if (!looks_like_option(name) ||
         std::find(options.begin(), options.end(), name) != options.end())
       continue;
+    const VerbInfo* const own = program.verb(verb);
+    const std::string argument = own == nullptr ? "" : meant_argument(given, name, *own);
     return "`" + name + "` is not an option of " + (verb.empty() ? program.name : verb) +
-           meant_option(name, program, verb);
+           (argument.empty() ? meant_option(name, program, verb) : argument);
   }
-  return "";
+  const VerbInfo* const own = program.verb(verb);
+  if (own == nullptr) return "";
+  const Options all = given_options(given, *own);
+  const std::string excluding = excluding_options(all);
+  return excluding.empty() ? missing_option(all, *own) : excluding;
 }
 
 std::string parser_sentence(std::string text, bool extra) {
   if (const std::string excludes = " excludes "; text.find(excludes) != std::string::npos)
-    return text.replace(text.find(excludes), excludes.size(), " cannot be combined with ");
+    return text.replace(text.find(excludes), excludes.size(), " cannot be combined with ") +
+           ": give one of the two";
   if (const auto most = text.find(": At Most 1 required"); most != std::string::npos)
     return text.substr(0, most) + " is given twice";
   const std::string valueless = ": 1 required value missing";

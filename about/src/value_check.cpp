@@ -111,5 +111,20 @@ ValueCheck output_file(std::vector<std::string> endings) {
   };
 }
 
+ValueCheck output_folder() {
+  return [](const std::string& folder) -> std::string {
+    namespace fs = std::filesystem;
+    std::error_code none;  // an error counts as no file
+    for (fs::path at = folder; !at.empty(); at = at.parent_path()) {
+      const bool exists = fs::exists(at, none);
+      if (exists && !fs::is_directory(at, none))
+        return at == folder ? "is a file: name a folder"
+                            : "cannot be made, because " + at.string() + " is a file";
+      if (exists || at == at.parent_path()) break;
+    }
+    return "";
+  };
+}
+
 }  // namespace checks
 }  // namespace jounce

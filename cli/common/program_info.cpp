@@ -19,6 +19,8 @@ OptionInfo option_info(const CLI::Option& option, const WordsOfOptions& words) {
   if (option.get_positional()) info.names = {option.get_name(true)};
   if (option.get_items_expected_max() > 0)
     info.value = option.get_type_name() == "number" ? OptionValue::number : OptionValue::text;
+  for (const auto* other : option.get_needs()) info.needs.push_back(other->get_name());
+  for (const auto* other : option.get_excludes()) info.excludes.push_back(other->get_name());
   if (const auto found = words.find(&option); found != words.end()) info.words = found->second;
   return info;
 }

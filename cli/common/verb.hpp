@@ -42,7 +42,7 @@ enum Exit : int {
 /// Action of a verb after parsing the command line; returns the exit status.
 using Work = std::function<int()>;
 
-using checks::ends_in, checks::one_of, checks::output_file, checks::seconds,
+using checks::ends_in, checks::one_of, checks::output_file, checks::output_folder, checks::seconds,
     checks::seconds_or_none, checks::whole, checks::within;
 
 /// Words that can be the value of an option, for the completion of the shell.

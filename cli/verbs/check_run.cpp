@@ -49,6 +49,7 @@ void add_run_options(const Verb& verb, CheckRun& run, bool of_tables) {
         .excludes({baseline});
   verb.option("--summary", run.summary,
               "Folder for a new summary.md, with pictures of each changed motion before and after")
+      .check(output_folder())
       .needs(baseline);
 }
 

@@ -113,9 +113,11 @@ constexpr std::array entries{
           "again."},
     Entry{Cause::not_enabled, "not_enabled", "The axis or group is disabled.",
           "Enable it: `jounce order NAME enable`."},
-    Entry{Cause::in_error, "in_error", "The axis or group has a fault.",
-          "Remove the cause of the fault (`jounce monitor NAME` shows it), then send `jounce order "
-          "NAME reset`."},
+    Entry{
+        Cause::in_error, "in_error", "The axis or group has a fault.",
+        "`jounce monitor NAME` shows the fault, and `jounce explain FAULT` its remedy. After most "
+        "faults, `jounce order NAME reset` is necessary, for some before the axis can move away "
+        "from the cause."},
     Entry{Cause::in_motion, "in_motion", "The axis or group is moving.",
           "Wait for standstill, or end the motion: `jounce order NAME halt`. `jounce order NAME "
           "finish` lets a table that repeats end with its present pass."},
@@ -125,9 +127,11 @@ constexpr std::array entries{
           "The axis is not at the position where the armed table begins.",
           "The axis was moved, or its position was set, after the table was armed: move the axis "
           "to the start of the table, or arm the table again."},
-    Entry{Cause::too_late, "too_late", "The requested start tick has passed.",
-          "Give a later tick: the command, with its table if it has one, must arrive before this "
-          "tick. `jounce monitor NAME --json` shows the present tick."},
+    Entry{
+        Cause::too_late, "too_late", "The requested start tick has passed.",
+        "Give a later tick, or a time from now, such as `--at +1`. A table must arrive completely "
+        "before its start tick. `jounce monitor NAME --json` shows the present tick.",
+        "Give a later tick, or a time from now, such as `--at +1`."},
     Entry{Cause::no_value, "no_value",
           "The table or the number of the command is missing or not finite.",
           "Send the command with its table, or with a finite number."},
@@ -362,8 +366,8 @@ constexpr std::array entries{
           "Check the program that acknowledges the M word, or raise its timeout. Then send the "
           "commands again."},
     Entry{Cause::no_handshake, "no_handshake", "The group does not wait for this acknowledgment.",
-          "Send `acknowledge` after the event of the M word: `jounce monitor NAME --events` shows "
-          "it."},
+          "Send `acknowledge` only while the group rests in single step, or at an M word. For an M "
+          "word, `jounce monitor NAME --events` shows its number."},
     Entry{Cause::no_start_tick, "no_start_tick",
           "The command takes effect at once, not at a given tick.", "Leave out --at."},
     Entry{Cause::nothing_to_start, "nothing_to_start",

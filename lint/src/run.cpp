@@ -90,8 +90,11 @@ std::string run_text(RunResult result, const std::string& format, const RunLook&
 
 void write_summary(const std::string& folder, const std::vector<FileChange>& changes,
                    const std::string& name) {
-  std::error_code none;
-  std::filesystem::create_directories(folder, none);
+  std::error_code failed;
+  std::filesystem::create_directories(folder, failed);
+  if (failed)
+    throw InputError("--summary", folder,
+                     "cannot be made: " + failed.message() + ": name another folder");
   const auto in_folder = [&](const std::string& file) {
     return (std::filesystem::path(folder) / file).string();
   };

@@ -84,8 +84,53 @@ TEST(CommandWords, NameTheOptionThatAnotherWordMeans) {
   EXPECT_EQ(wrong("--nowhere"), "`--nowhere` is not an option of turn");
 }
 
+TEST(CommandWords, WriteAnArgumentWithoutItsName) {
+  const ProgramInfo program = about_test::sample();
+  for (const auto& words :
+       {Words{"chart", "--kind", "json", "a.svg"}, Words{"chart", "--kind=json", "a.svg"}})
+    EXPECT_EQ(wrong_option(words, {}, program, "chart"),
+              "`--kind` is not an option of chart: write KIND without --kind, `jounce chart json "
+              "a.svg`");
+}
+
+TEST(CommandWords, SuggestTheHelpOnlyForAWordLikeIt) {
+  ProgramInfo program = about_test::sample();
+  program.verbs.push_back({.name = "turn", .options = {{.names = {"--help"}, .help = "Print"}}});
+  const auto wrong = [&](const char* word) {
+    return wrong_option(Words{word}, {"--help"}, program, "turn");
+  };
+  EXPECT_EQ(wrong("--hlp"), "`--hlp` is not an option of turn: did you mean --help?");
+  EXPECT_EQ(wrong("--shelp"), "`--shelp` is not an option of turn");
+}
+
+TEST(CommandWords, OfferOnlyWhatTheOtherOptionsPermit) {
+  ProgramInfo program = about_test::sample();
+  program.verbs.push_back({.name = "turn",
+                           .options = {{.names = {"--slave"}, .excludes = {"--output"}},
+                                       {.names = {"-o", "--output"}, .excludes = {"--slave"}},
+                                       {.names = {"--at"}, .needs = {"--output"}},
+                                       {.names = {"--from"}, .needs = {"--output"}}}});
+  const auto wrong = [&](const Words& words) {
+    return wrong_option(words, {"--slave", "-o", "--output", "--at", "--from"}, program, "turn");
+  };
+  EXPECT_EQ(wrong({"--slave", "1"}), "");
+  EXPECT_EQ(wrong({"--at=1", "-o", "x"}), "");
+  EXPECT_EQ(wrong({"--slave", "1", "-o", "x"}),
+            "--slave cannot be combined with --output: give one of the two");
+  EXPECT_EQ(wrong({"--slave", "1", "--at", "2", "-o", "x"}),
+            "--slave cannot be combined with --output: leave out --slave, or leave out --output "
+            "and --at");
+  EXPECT_EQ(wrong({"--at", "2"}), "--at needs --output: add it, or leave out --at");
+  EXPECT_EQ(wrong({"--at", "2", "--from", "1"}),
+            "--at and --from need --output: add it, or leave out --at and --from");
+  EXPECT_EQ(wrong({"--slave", "1", "--at", "2"}),
+            "--at needs --output, which cannot be combined with --slave: leave out --at, or "
+            "replace --slave by --output");
+}
+
 TEST(CommandWords, TranslateTheSentencesOfTheParser) {
-  EXPECT_EQ(parser_sentence("--a excludes --b", false), "--a cannot be combined with --b");
+  EXPECT_EQ(parser_sentence("--a excludes --b", false),
+            "--a cannot be combined with --b: give one of the two");
   EXPECT_EQ(parser_sentence("--a: At Most 1 required but received 2", false), "--a is given twice");
   EXPECT_EQ(parser_sentence("--a: 1 required value missing", false), "--a has no value after it");
   EXPECT_EQ(parser_sentence("FILE is required", false), "FILE is missing");

@@ -354,9 +354,10 @@ TEST(RotaryKnife, RejectsInputThatCannotBeCut) {
             "cut_length, or shorten the sync zone (sync_angle must be less than 0.173333)");
   spec.cut_length = 4;  // the sync zone of the angle between two blades is 4.712 long
   spec.sync_angle = 7;
-  EXPECT_EQ(refusal(spec),
-            "sync_angle = 7: must be less than 2.66666, the angle of a sync zone as long as "
-            "cut_length: give a smaller angle, or raise cut_length");
+  EXPECT_EQ(
+      refusal(spec),
+      "sync_angle = 7: must be less than 2.66666, the angle of a sync zone as long as "
+      "cut_length: give a smaller angle (it must also be less than the angle between two blades)");
   for (const auto matching : {KnifeMatching::surface, KnifeMatching::horizontal}) {
     spec.matching = matching;
     spec.cut_length = 2;

@@ -53,6 +53,15 @@ TEST(OutcomeText, ARemedyFitsTheReason) {
       "not_enabled: the axis is disabled since a fault: following_error. It was too great.";
   EXPECT_THAT(reason_text(faulty, "feeder", {}, static_cast<int>(Cause::following_error)),
               HasSubstr("feeder reset` and `jounce order feeder enable`"));
+  faulty.cause = static_cast<std::int32_t>(Cause::in_error);
+  faulty.reason = "in_error: the axis has a fault: positive_switch. It reached the switch.";
+  const auto of_fault = [&](Cause fault) {
+    return reason_text(faulty, "feeder", {}, static_cast<int>(fault));
+  };
+  EXPECT_THAT(of_fault(Cause::positive_switch),
+              EndsWith("Send `jounce order feeder reset`, then move the axis off the switch in the "
+                       "negative direction."));
+  EXPECT_THAT(of_fault(Cause::overspeed), EndsWith(" Then send `jounce order feeder reset`."));
   CallOutcome aborted = rejected();
   aborted.cause = static_cast<std::int32_t>(Cause::in_error);
   aborted.reason = "in_error: the axis has a fault: aborted.";

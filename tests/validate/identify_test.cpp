@@ -265,8 +265,7 @@ TEST(Identify, FromTheRecordedCommandAlone) {
   const Drive truth = servo_400w();
   const Recording run = recorded(move, truth, 701, {}, 1);  // about a sample a ms
   const std::vector<std::string> keys{"mass[1].inertia", "mass[1].stiffness"};
-  const Identification found =
-      identify(run, {wrong(truth, keys, 1.3), keys});
+  const Identification found = identify(run, {wrong(truth, keys, 1.3), keys});
   EXPECT_EQ(found.status, Status::converged) << found.reason;
   for (const FittedNumber& n : found.numbers)
     EXPECT_NEAR(n.value, value_of(truth, n.key), 5e-3 * value_of(truth, n.key)) << n.key;
@@ -309,7 +308,10 @@ TEST(Identify, ReportsParametersWithoutEffect) {
   const Recording run = recorded(move, truth, 101, {.position = 1e-3, .torque = 1e-3}, 5);
   const Identification found = identify(run, move, {truth, keys});
   EXPECT_EQ(found.status, Status::not_identifiable);
-  EXPECT_THAT(found.reason, HasSubstr("motor.torque_limit"));
+  EXPECT_THAT(found.reason, HasSubstr(": remove motor.torque_limit from --fit, or record a motion "
+                                      "that reaches this limit"));
+  EXPECT_THAT(identify(run, move, {truth, {"motor.torque_limit"}}).reason,
+              HasSubstr("determine motor.torque_limit: record a motion that reaches this limit"));
   EXPECT_NEAR(found.numbers[0].value, 2e-4, 2e-6);  // the other is known all the same
   EXPECT_LT(found.numbers[0].high, 1.1 * found.numbers[0].low);
 }

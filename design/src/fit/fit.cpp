@@ -67,8 +67,8 @@ std::vector<double> tolerances_of(const Points& file, const FitOptions& options,
     return std::vector<double>(file.size(), option("tolerance", options.tolerance, unit));
   if (file.find("tolerance") == nullptr)
     throw InputError("tolerance", "",
-                     "is missing: give the greatest distance from a point, such as 20um, or the "
-                     "column tolerance in the file");
+                     "is missing: give the greatest distance from a point, such as --tolerance "
+                     "20um, or add a column `tolerance` to the file");
   std::vector<double> all = file.in_unit("tolerance", unit);
   for (std::size_t i = 0; i < all.size(); ++i)
     if (!(all[i] > 0)) throw file.error(i, "tolerance", all[i], unit, "must be greater than 0");

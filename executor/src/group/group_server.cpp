@@ -100,7 +100,8 @@ void GroupServer::obey(const command::GroupAcknowledge& what, const CommandReque
                        const Request& request) {
   if (reject_at_tick(requested)) return;
   const auto m_word = queue_.m_word();
-  const Cause no = queue_.acknowledge(what.m_word);
+  Cause no = queue_.acknowledge(what.m_word);
+  if (no == Cause::no_handshake && last_.state == State::error_stop) no = Cause::in_error;
   if (no == Cause::none && m_word) take_step(GroupQueue::Announce{*m_word, false});
   answer(request, no == Cause::none ? std::nullopt : std::optional(Refusal{.cause = no}));
 }

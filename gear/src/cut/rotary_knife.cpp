@@ -146,7 +146,7 @@ void require_room(const RotaryKnifeSpec& spec, double half, double pitch, double
         key, given,
         "must be less than " + six_digits_down(std::min(pitch, of_cut) * unit) +
             (of_cut < pitch ? ", the angle of a sync zone as long as cut_length: give a smaller "
-                              "angle, or raise cut_length"
+                              "angle (it must also be less than the angle between two blades)"
                             : ", the angle between two blades: give a smaller angle"));
   }
   if (!(2 * half < pitch))

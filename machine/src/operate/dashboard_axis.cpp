@@ -136,7 +136,7 @@ void add_group(std::vector<Row>& rows, const Watched& axis, const View& view) {
 void add_health(std::vector<Row>& rows, const wire::Status& s, const View& view) {
   rows.push_back(
       line("late", {{counted(s.late_ticks, "cycle"), s.late_ticks > 0 ? Tone::waits : Tone::plain},
-                    {fmt::format(" began a period of {} ms or more late, tick {}",
+                    {fmt::format(" late by {} ms or more; present tick {}",
                                  static_cast<double>(s.cycle_ns) * 1e-6, s.tick)}}));
   for (const auto& [text, counts] :
        {std::pair{"wake-up", &s.lateness}, {"computing", &s.computing}})

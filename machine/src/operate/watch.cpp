@@ -185,8 +185,8 @@ std::int64_t tick_at(const std::string& text, KeyedLink& link, const std::string
   if (!good)
     throw InputError(
         "--at", text,
-        "must be a tick, such as 120000, or + and at most 86400 seconds from now, such "
-        "as +2.5");
+        "must be a tick, such as 120000, or +SECONDS from now, such as +2.5 (at most +86400), "
+        "without a unit");
   if (!from_now) return static_cast<std::int64_t>(*number);
   const auto tick = tick_after(link.transport(), executor, *number, link.key());
   if (!tick) throw_missing(link, executor);

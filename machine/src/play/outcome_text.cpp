@@ -43,6 +43,16 @@ bool changes_motion(Rejected order) {
   return order && permitted(State::standstill, *order) == Cause::no_movement;
 }
 
+/// The remedy of a fault, with the reset that ends it; for a disabled axis, also with `enable`.
+std::string remedy_of_fault(const CauseInfo& fault, bool is_disabled) {
+  const std::string reset = "`jounce order NAME reset`", enable = "`jounce order NAME enable`";
+  std::string remedy = fault.remedy;
+  if (remedy.find(reset) == std::string::npos) remedy += " Then send " + reset + ".";
+  if (is_disabled && remedy.find(enable) == std::string::npos)
+    remedy.insert(remedy.find(reset) + reset.size(), " and " + enable);
+  return remedy;
+}
+
 /// The remedy of a cause for this axis, which has this fault (0: none). "" if the cause has none, or
 /// if the executor wrote the reason itself, with a remedy: such a reason has no name of a cause.
 std::string remedy_of(std::int32_t cause, const std::string& reason, const std::string& executor,
@@ -52,6 +62,11 @@ std::string remedy_of(std::int32_t cause, const std::string& reason, const std::
     if (!reason.starts_with(one.name)) return "";
     std::string remedy =
         rejected ? remedy_of_order(one.cause, *rejected) : remedy_of_table(one.cause);
+    const bool is_disabled = one.cause == Cause::not_enabled;
+    if (fault != 0 && (is_disabled || one.cause == Cause::in_error))
+      for (const CauseInfo& latched : all_causes())
+        if (static_cast<std::int32_t>(latched.cause) == fault)
+          remedy = remedy_of_fault(latched, is_disabled);
     if (one.cause == Cause::in_error && fault == static_cast<std::int32_t>(Cause::aborted))
       remedy = changes_motion(rejected) ? "Send `jounce order NAME reset`, then the motion again."
                                         : "Send `jounce order NAME reset`.";
@@ -60,7 +75,7 @@ std::string remedy_of(std::int32_t cause, const std::string& reason, const std::
           "Remove the cause, send `jounce order AXIS reset` and `jounce order AXIS enable` for "
           "this "
           "axis, then `jounce order NAME reset`.";
-    if (one.cause == Cause::not_enabled && fault != 0)
+    if (is_disabled && fault == static_cast<std::int32_t>(Cause::axis_fault))
       remedy =
           "Remove its cause, then send `jounce order NAME reset` and `jounce order NAME enable`.";
     if (remedy == no_remedy) return "";

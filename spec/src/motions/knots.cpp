@@ -189,7 +189,7 @@ Table shortest_table(TomlReader& top, const Spec& spec, Interpolation rule) {
         refused = true;
         knot.refuse_here(key,
                          "times = \"shortest\" computes the times and velocities of all knots: "
-                         "give each knot a position only, or leave out times");
+                         "give each knot a position only, or remove the line times = \"shortest\"");
       }
   for (TomlReader& knot : knots) {
     times.points.push_back({knot.number("position", spec.units.position)});

@@ -177,9 +177,16 @@ std::string not_determined(const std::string& unknown, const Identification& ans
           "{}: in it, {} and {} cannot be distinguished (correlation {:.4f}). Fit only one of the "
           "two",
           reason, e.first, e.second, e.correlation);
-  return reason +
-         ": leave out of --fit what it does not determine, or record a motion that depends on it, "
-         "with acceleration and a change of direction";
+  const std::string record =
+      unknown.ends_with("torque_limit") && unknown.find(',') == std::string::npos
+          ? "record a motion that reaches this limit"
+          : std::string("record a motion that depends on ") +
+                (unknown.find(',') == std::string::npos ? "it" : "them") +
+                ", with acceleration and a change of direction";
+  const bool fits_others =
+      std::any_of(answer.numbers.begin(), answer.numbers.end(),
+                  [&](const FittedNumber& n) { return std::log(n.high / n.low) / 2 <= known; });
+  return reason + (fits_others ? ": remove " + unknown + " from --fit, or " : ": ") + record;
 }
 
 void conclude(const IdentifySpec& spec, const Fitted& fit, const std::string& unknown,

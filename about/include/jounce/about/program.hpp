@@ -24,6 +24,7 @@ struct OptionInfo {
   bool repeated = false;  ///< accepts more than one value
   /// Returns the permitted words; without it, any value is permitted.
   std::function<std::vector<std::string>()> words{};
+  std::vector<std::string> needs{}, excludes{};  ///< names of other options of the verb
 };
 
 /// A verb (subcommand).

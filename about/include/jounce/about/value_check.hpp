@@ -44,6 +44,8 @@ ValueCheck ends_in(std::vector<std::string> endings);
 /// A file that is written after long work. In addition to the rule of ends_in(), it must not be a
 /// folder, and its own folder must exist. "-" is standard output.
 ValueCheck output_file(std::vector<std::string> endings = {});
+/// A folder that is made after long work, if it does not exist: it must not be a file, nor in one.
+ValueCheck output_folder();
 
 }  // namespace checks
 

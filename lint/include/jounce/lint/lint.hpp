@@ -35,7 +35,8 @@ struct ExamineMachine {
 /// Some files have no motion. For these, the function checks: for an axis, its drive, and
 /// executor.axis; for a machine, the specs of its axes, and executor.machine; for a drive, the
 /// stability of its loop; for a sweep, its spec; for a key file, its access rights. A path without
-/// commands is only read. `machine` is the path spec for a G-code program.
+/// commands is only read. For a G-code program, `machine` is the file of
+/// a spec of kind "path", with the axes and limits of its machine.
 FileResult lint_file(const std::string& path, const Examine& examine,
                      const std::string& machine = "", const ExamineMachine& executor = {});
 

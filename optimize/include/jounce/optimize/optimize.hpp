@@ -6,7 +6,7 @@
 
 namespace jounce {
 
-/// Minimizes the objectives of a cam with free knots, one after another, under its limits (method:
+/// Minimizes the objectives, one after another, of a cam with free knots, under its limits (method:
 /// docs/optimize/README.md). Limits and objectives are exact: they are computed from exact extrema,
 /// not from samples. If the given cam satisfies the limits, the result is never worse in the first
 /// objective. The result is deterministic. For `keep_going`, see KeepGoing. Throws InputError like

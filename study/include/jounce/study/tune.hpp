@@ -46,7 +46,8 @@ struct TuneOutcome {
 
 /// Chooses the numbers in [[optimize.parameter]] of a spec so that a key figure becomes minimal or
 /// maximal. The result satisfies every limit of the spec (the limits of check and, if the spec has
-/// a [drive], of the drive) and the requirements in [[optimize.require]].
+/// a [drive], of the drive) and the requirements in [[optimize.require]], if any choice does;
+/// otherwise usable() is false.
 ///
 ///     TuneOutcome best = tune(read_spec("shear.toml"));
 ///     if (best.usable()) write_file("faster.toml", best.text);

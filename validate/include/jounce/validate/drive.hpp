@@ -275,8 +275,9 @@ struct DriveResult {
 /// **Reference.** The signal that the executor interpolates: a Table over time, a Trajectory, or a
 /// Followed made from the curve of a table. The axis begins at rest at the first position of the
 /// reference, in equilibrium. Constant loads twist the shafts; the integral part (without one, a
-/// position error) holds their torque; no load is in the middle of a gap. A velocity at the start
-/// or end of the reference acts as a step of the velocity.
+/// position error) holds their torque; where there is a gap (backlash), the masses begin in contact,
+/// not in the middle. A velocity at the start or end of the reference acts as a step of the
+/// velocity.
 ///
 /// **Method.** Saturation, backlash, dry friction and the direction of the power through a gear are
 /// modes of the model. The switch from one mode to another is found as a root, and the integration

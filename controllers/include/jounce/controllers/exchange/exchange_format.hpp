@@ -29,7 +29,7 @@ enum class Numbers {
 
 /// A text format for tables, of a controller or of another maker's tool. exchange_formats() returns
 /// all formats; `jounce convert`, its help and the reference list them. To add a format, add one
-/// source, and one row in `controllers/src/exchange/formats.cpp`.
+/// source file, and one row in `controllers/src/exchange/formats.cpp`.
 struct ExchangeFormat {
   const char* name;    ///< word of the command line: "codesys"
   const char* maker;   ///< controller or tool, and its data type or file
@@ -50,7 +50,8 @@ struct ExchangeFormat {
   double x_rounding = 0;  ///< size of the last digit of the first column, in x_unit; 0: all digits
   bool equal_steps = false;  ///< true if all intervals are equal
   bool readable = true;      ///< true if Jounce can also read the format
-  /// True if comments can hold the units, the policy outside, the number of knots and the hash.
+  /// True if comments can hold the units, the policy outside the table (Extrapolation), the number
+  /// of knots and the hash.
   bool keeps_notes = false;
   bool keeps_units = false;    ///< true if the format defines or states the units
   bool states_period = false;  ///< true if the file states whether the cam repeats

@@ -63,7 +63,9 @@ std::vector<Impulse> convolved(std::span<const Impulse> a, std::span<const Impul
 ///
 /// Throws InputError if there is no impulse; if the times do not ascend from 0, or the amplitudes
 /// do not have the sum 1; if the last impulse comes later than 10000 lengths of f; if f begins or
-/// ends in motion (append the stop first); or if a piece would need more than three sines.
+/// ends in motion (append the stop first); or if a piece would need more than three sines: a segment
+/// holds at most Segment::max_sines = 3 terms. This can happen if f has sines of several frequencies
+/// and their copies overlap.
 Trajectory shaped(const Trajectory& f, std::span<const Impulse> impulses);
 
 }  // namespace jounce
