@@ -82,11 +82,6 @@ Setpoint LiveCuts::at(const Moment& now) noexcept {
   return last_ = axis_detail::setpoint(now.master, chained(y, now.master));
 }
 
-Peaks LiveCuts::greatest() const noexcept {
-  const Limits& most = task_->slave;
-  return {most.velocity.value_or(0), most.acceleration.value_or(0), most.jerk.value_or(0)};
-}
-
 std::optional<Refusal> LiveCuts::cut(const command::Cut& what, double shift) noexcept {
   if (parks_ || progress_ >= Progress::done) return Refusal{Cause::no_cut_plan};
   const auto given = [](double number) { return !std::isnan(number); };

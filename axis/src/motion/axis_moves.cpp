@@ -55,28 +55,20 @@ MoveRules MotionAxis::Impl::move_rules() const {
   return {config_, inputs_.positive_switch, inputs_.negative_switch};
 }
 
-/// The greatest magnitudes of the motion below a superimposed move.
+/// The greatest magnitudes of the motion below a superimposed move. Behind a live master, these are
+/// the magnitudes that the axis needs anywhere on its cam, for the present motion of the master.
 Peaks MotionAxis::Impl::beneath() const {
   if (on_path()) return path_.peaks_at_rate();
   if (base_ == Base::move) return move_.peaks_up_to(factor_);
-  return beneath_live(bare_.state);
-}
-
-/// The same for a coupling with a live master, in the state `slave`: what it needs anywhere on its
-/// cam, for the present motion of the master. No present state is greater, except on a way without
-/// a cam, such as the way home of a cutter.
-Peaks MotionAxis::Impl::beneath_live(const MotionState& slave) const {
   const Peaks ramp = live_->peaks();
   const Peaks phase = live_.phase().peaks(now_.tick);
-  const Peaks planned = live_->greatest();
+  const auto& [p, v, a] = bare_.state;
   const Jet& x = inputs_.master;
   const Peaks cam =
       coupled_peaks(live_->slopes(), {std::abs(x[1]), std::abs(x[2]), std::abs(x[3])});
-  return {std::max({std::abs(slave.velocity), cam.velocity, planned.velocity}) + phase.velocity,
-          std::max({std::abs(slave.acceleration), cam.acceleration + ramp.acceleration,
-                    planned.acceleration}) +
-              phase.acceleration,
-          std::max(cam.jerk + ramp.jerk, planned.jerk) + phase.jerk};
+  return {std::max(std::abs(v), cam.velocity) + phase.velocity,
+          std::max(std::abs(a), cam.acceleration + ramp.acceleration) + phase.acceleration,
+          cam.jerk + ramp.jerk + phase.jerk};
 }
 
 /// Begins a move on top of the present motion, or returns the reason to reject it.

@@ -2,7 +2,6 @@
 #include "axis/src/motion/superimposed_move.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace jounce {
@@ -31,47 +30,6 @@ bool keeps(const Profile& motion, const Limits& limits) {
          (!limits.jerk || most.jerk <= *limits.jerk * slack);
 }
 
-/// True if the motion below needs more than before, or notably less.
-bool differs(const Peaks& now, const Peaks& before, const Limits& limits) {
-  constexpr double rounding = 1e-9;  // relative to a limit
-  constexpr double notable = 0.1;    // relative to a limit
-  const auto changes = [](double value, double old, double limit) {
-    return value > old + rounding * limit || value < old - notable * limit;
-  };
-  return changes(now.velocity, before.velocity, *limits.velocity) ||
-         changes(now.acceleration, before.acceleration, *limits.acceleration) ||
-         (limits.jerk && changes(now.jerk, before.jerk, *limits.jerk));
-}
-
-/// Leaves in the limits what the motion below does not need. A thousandth always remains, so that
-/// the move ends.
-void leave_rest(Limits& limits, const Peaks& below, double stop_jerk) {
-  constexpr double least = 1e-3;
-  const auto leave = [](double& limit, double used) {
-    limit = std::max(limit - used, least * limit);
-  };
-  // The curvature of the motion below within a tick and, with a jerk limit, the velocity that comes
-  // while its acceleration falls to 0 (exceeds_velocity() in setpoint_check.hpp), twice: that of the
-  // sum falls from a greater value.
-  const double a = below.acceleration;
-  const double rising = limits.jerk ? a * a / stop_jerk : 0;
-  leave(*limits.velocity, below.velocity + rising + least * *limits.velocity);
-  leave(*limits.acceleration, below.acceleration);
-  if (limits.jerk) leave(*limits.jerk, below.jerk);
-}
-
-/// The dynamics, at most as great as the limits.
-MoveDynamics lowered_to(MoveDynamics d, const Limits& limits) {
-  const auto lower = [](double& value, double limit) {
-    if (!std::isnan(value)) value = std::min(value, limit);
-  };
-  lower(d.velocity, *limits.velocity);
-  lower(d.acceleration, *limits.acceleration);
-  lower(d.deceleration, *limits.acceleration);
-  if (limits.jerk) lower(d.jerk, *limits.jerk);
-  return d;
-}
-
 std::optional<Refusal> outside(double target, const Limits& limits) {
   if (limits.position_min && target < *limits.position_min)
     return Refusal{Cause::position_limit, target, *limits.position_min};
@@ -86,7 +44,6 @@ std::optional<Refusal> SuperimposedMove::begin(std::int64_t tick, double distanc
                                                MoveDynamics dynamics, const Peaks& below,
                                                std::optional<double> end) noexcept {
   AxisConfig left = config_;
-  const MoveDynamics asked = dynamics;
   if (auto no = take_away(left.limits, below)) return no;
   if (auto no = fill(dynamics, left)) return no;
   if (end && !running_)
@@ -105,40 +62,7 @@ std::optional<Refusal> SuperimposedMove::begin(std::int64_t tick, double distanc
   profile_ = *profile;
   goal_ = goal;
   origin_ = tick;
-  asked_ = asked;
-  below_ = below;
   return std::nullopt;
-}
-
-void SuperimposedMove::fit(std::int64_t tick, const Peaks& below) noexcept {
-  if (!running_ || held_ || !differs(below, below_, config_.limits)) return;
-  AxisConfig left = config_;
-  leave_rest(left.limits, below, config_.stop_jerk);
-  left.limits.position_min = left.limits.position_max = std::nullopt;
-  Goal goal = goal_;
-  goal.dynamics = lowered_to(asked_, left.limits);
-  if (fill(goal.dynamics, left)) return;
-  Motion from = profile_.at(time(tick));
-  const double a = *left.limits.acceleration;
-  from.acceleration = std::clamp(from.acceleration, -a, a);
-  const double v = *left.limits.velocity;
-  if (const double excess = from.velocity - std::clamp(from.velocity, -v, v); excess != 0) {
-    // The motion below has taken this velocity in the last tick, in equal parts.
-    from.velocity -= excess;
-    from.position -= excess * seconds(config_.period) / 2;
-    from.acceleration =
-        excess > 0 ? std::min(from.acceleration, 0.0) : std::max(from.acceleration, 0.0);
-  }
-  const Limits before = std::exchange(most_, left.limits);
-  const auto profile = planned(from, goal, 1);
-  if (!profile) {
-    most_ = before;
-    return;
-  }
-  profile_ = *profile;
-  goal_ = goal;
-  origin_ = tick;
-  below_ = below;
 }
 
 void SuperimposedMove::add_to(Setpoint& next, std::int64_t tick) noexcept {

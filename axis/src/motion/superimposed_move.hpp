@@ -36,11 +36,6 @@ class SuperimposedMove {
   /// of the motion below, including the superimposed moves so far; nullopt: unknown.
   std::optional<Refusal> begin(std::int64_t tick, double distance, MoveDynamics dynamics,
                                const Peaks& below, std::optional<double> end) noexcept;
-  /// Plans the move again if the motion below, with the magnitudes `below`, now leaves it less of
-  /// the limits, or notably more. Its velocity and its acceleration fall at once to what is left: so
-  /// the sum keeps these limits while the motion below keeps them alone. Call before add_to(), if the
-  /// motion below can change.
-  void fit(std::int64_t tick, const Peaks& below) noexcept;
   /// Adds the state of the move in this tick to the setpoint of the motion below. Call once a tick.
   /// Finishes the move at its end.
   void add_to(Setpoint& next, std::int64_t tick) noexcept;
@@ -87,8 +82,6 @@ class SuperimposedMove {
   bool held_ = false;
   Profile profile_;
   Goal goal_;                // goal, u, relative to the start of the first move in progress
-  MoveDynamics asked_;       // dynamics of the command; NaN: not given
-  Peaks below_;              // greatest magnitudes of the motion below
   Limits most_;              // limits that the motion of the axis leaves
   std::int64_t origin_ = 0;  // tick
   double finished_ = 0;      // distance of the finished moves, u

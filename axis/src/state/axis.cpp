@@ -165,7 +165,6 @@ void MotionAxis::Impl::play() {
     add_correction(next);
     const MotionState bare = state_of(next);
     if (wrong == Cause::none) {
-      if (base_ == Base::live && above_.running()) above_.fit(now_.tick, beneath_live(bare));
       above_.add_to(next, now_.tick);
       wrong = judge(next);
     }

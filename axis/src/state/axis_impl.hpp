@@ -210,7 +210,6 @@ class MotionAxis::Impl {
   Rejection decouple();
   [[nodiscard]] MoveRules move_rules() const;
   [[nodiscard]] Peaks beneath() const;
-  [[nodiscard]] Peaks beneath_live(const MotionState& slave) const;
   bool go(const Goal& goal);
   bool adopt(const Goal& goal, double factor);
   bool plan_from(const TimedState& from, const Goal& goal, double factor, double ahead = 0);

@@ -45,10 +45,7 @@ std::vector<CutRange> possible_for(const CutJob& job, const Cutter& cutter) {
 }  // namespace
 
 CutTask::CutTask(const CutJob& job)
-    : cutter(job.spec.machine, job.line),
-      list(job.spec.list),
-      possible(possible_for(job, cutter)),
-      slave(job.line.slave) {
+    : cutter(job.spec.machine, job.line), list(job.spec.list), possible(possible_for(job, cutter)) {
   require_valid(list, cutter);
   for (std::size_t i = 0; i < list.lengths.size(); ++i)
     require_possible("lengths[" + std::to_string(i + 1) + "]", list.lengths[i], *this,

@@ -36,10 +36,9 @@ Jet line_at(double t, double v, double a) {
 struct Machine {
   CutMachine cutter;
   AxisConfig config;
-  double slope;      // slope of the slave in step, u/m
-  double after;      // web in step after a cut, m
-  double turn;       // turn of a knife from cut to cut, u; 0: a shear
-  double share = 1;  // share of the limits of the axis that the plan of cuts uses
+  double slope;  // slope of the slave in step, u/m
+  double after;  // web in step after a cut, m
+  double turn;   // turn of a knife from cut to cut, u; 0: a shear
 };
 
 /// A shear with a margin for the acceleration of its line, 1 m/s^2.
@@ -62,8 +61,7 @@ Machine knife() {
 std::shared_ptr<const CutTask> task_of(const Machine& machine, CutList list) {
   CutJob job{{machine.cutter, std::move(list)}, {.speed = 1000}};
   job.line.rates.acceleration = 1000;
-  job.line.slave = test::limits(machine.share * *machine.config.limits.velocity,
-                                machine.share * *machine.config.limits.acceleration);
+  job.line.slave = machine.config.limits;
   return std::make_shared<const CutTask>(job);
 }
 
@@ -192,33 +190,6 @@ TEST(LiveCuts, ParkLeavesTheWebAfterTheSyncZoneAndEndsAtHome) {
       ASSERT_LE(site.cuts.plan().cuts(), made + 1);
       judge(site, cuts);
     }
-}
-
-/// The same cuts on an axis with greater limits, which the plan does not use.
-Machine with_reserve(Machine machine) {
-  const Limits& most = machine.config.limits;
-  machine.config.limits = test::limits(*most.velocity / 0.8, *most.acceleration / 0.8);
-  machine.share = 0.8;
-  return machine;
-}
-
-// The share of the move came from the acceleration of one instant: the axis faulted at a later one.
-TEST(LiveCuts, LeaveAMoveOnTopWhatThePlanDoesNotUse) {
-  const Command up{command::MoveSuperimposed{.distance = 1}};
-  for (const Machine& machine : {with_reserve(shear()), with_reserve(knife())})
-    for (int wait = 0; wait < 1300; wait += 65) {
-      Site site(machine, {.lengths = {1300}});
-      site.start();
-      site.run(600 + wait);
-      EXPECT_EQ(refusal(site.step(up)), Cause::none) << wait;
-      site.run(2600);
-      judge(site, {});
-    }
-  Site without(knife(), {.lengths = {1300}});
-  without.start();
-  const Tick no = without.step(up);
-  EXPECT_EQ(refusal(no), Cause::no_reserve);
-  EXPECT_EQ(no.refused->limit, 80);
 }
 
 TEST(LiveCuts, ParkIsFasterThanTheWayBehindTheWeb) {

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/axis/live_gear.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -104,53 +102,6 @@ TEST(LiveGear, LeavesASuperimposedMoveWhatItsRampDoesNotUse) {
     EXPECT_EQ(gear.progress(), Progress::running);
     EXPECT_EQ(refusal(axis.step(up, at_master(150, 300))), Cause::none);
   }
-}
-
-/// Speeds up from 300 to 700 u/s by a sine from 0.05 s to 0.2 s: at most 5333 u/s^2.
-Jet speeding_up(double t) {
-  constexpr double from = 0.05, T = 0.15, v = 300, dv = 400, w = 2 * std::numbers::pi / T;
-  const double s = std::clamp(t - from, 0.0, T);
-  const double after = std::max(t - from - T, 0.0);
-  const double x = v * t + dv / T * (s * s / 2 + (std::cos(w * s) - 1) / (w * w)) + dv * after;
-  const double a = s < T ? dv / T * (1 - std::cos(w * s)) : 0;
-  return {x, v + dv / T * (s - std::sin(w * s) / w), a, s < T ? dv / T * w * std::sin(w * s) : 0};
-}
-
-/// Adds a move to a gear of ratio 1 at several instants before and while its master speeds up.
-void add_while_the_master_speeds_up(double velocity) {
-  for (const bool jerk : {false, true})
-    for (int wait = 0; wait < 260; wait += 13) {
-      AxisConfig config{.limits = limits(velocity, 1e4)};
-      if (jerk) config.limits.jerk = 1e6;
-      Bench axis(config);
-      axis.send(Kind::enable);
-      LiveGear gear(1, {.numerator = 1, .acceleration = 5000, .jerk = 1e5});
-      const auto step = [&](double t, const Command& command = {}) {
-        Inputs inputs;
-        inputs.master = speeding_up(t);
-        return axis.step(command, inputs);
-      };
-      step(-1, {command::Couple{.movement = &gear}});
-      for (int i = 1; i < 900; ++i) step(-1 + i * 1e-3);
-      EXPECT_EQ(gear.progress(), Progress::running);
-      Tick now = step(-0.1);
-      const double before = now.position - speeding_up(-0.1)[0];
-      for (int i = 1; i < 3000; ++i) {
-        const double t = -0.1 + i * 1e-3;
-        const Command up{command::MoveSuperimposed{.distance = 20}};
-        now = step(t, i == wait + 1 ? up : Command{});
-        ASSERT_EQ(refusal(now), Cause::none) << wait;
-        ASSERT_EQ(now.fault, Cause::none) << wait << " at " << t;
-        ASSERT_LE(std::abs(now.velocity), velocity * (1 + 1e-9)) << wait << " at " << t;
-        ASSERT_LE(std::abs(now.acceleration), 1e4 * (1 + 1e-9)) << wait << " at " << t;
-      }
-      EXPECT_NEAR(now.position - speeding_up(2.899)[0], before + 20, 1e-8) << wait;
-    }
-}
-
-// Both accelerations together exceeded the limit, and the axis faulted.
-TEST(LiveGear, ASuperimposedMoveGivesWayToAMasterThatSpeedsUp) {
-  add_while_the_master_speeds_up(2000);
 }
 
 TEST(LiveGear, ALostMasterBreaksIt) {

@@ -176,9 +176,6 @@ class Movement {
   [[nodiscard]] virtual std::array<double, 3> slopes() const noexcept {
     return {std::abs(ratio()), 0, 0};
   }
-  /// For a live movement that is planned for every permitted motion of its master: the greatest
-  /// magnitudes of the plan; otherwise 0.
-  [[nodiscard]] virtual Peaks greatest() const noexcept { return {}; }
   /// For a live movement: true if the axis keeps its velocity when the movement ends; false if it
   /// comes to rest.
   [[nodiscard]] virtual bool keeps_velocity() const noexcept { return false; }

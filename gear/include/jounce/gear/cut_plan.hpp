@@ -10,7 +10,6 @@
 
 #include "jounce/gear/cut_numbers.hpp"
 #include "jounce/profiles/curve/jet.hpp"
-#include "jounce/profiles/limits/limits.hpp"
 
 namespace jounce {
 
@@ -20,7 +19,6 @@ struct CutTask {
   Cutter cutter;
   CutList list;
   std::vector<CutRange> possible;  ///< possible_lengths(); not empty
-  Limits slave;                    ///< limits that the cutter keeps up to the speed of the line
 
   /// Throws InputError like the functions that it calls, and for a length of the list that is not
   /// possible at the speed of the line.

@@ -42,7 +42,6 @@ class LiveCuts final : public Movement {
   [[nodiscard]] Cause cause() const noexcept override { return cause_; }
   [[nodiscard]] double place() const noexcept override { return place_; }
   [[nodiscard]] LiveCuts* cuts() noexcept override { return this; }
-  [[nodiscard]] Peaks greatest() const noexcept override;
 
   /// Changes the plan. `shift` is added to positions of the web in the answer. Returns nullopt, or
   /// the reason to reject the command; the numbers of the refusal are in m (unit of the web).
