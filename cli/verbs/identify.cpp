@@ -27,11 +27,10 @@ struct IdentifyArguments {
 
 Identification fitted(const Recording& run, const Drive& drive, const IdentifyArguments& options) {
   WatchedWork work("identifying");
-  return identify(run, {drive, options.fit, options.iterations},
-                  [&](int done, double share) {
-                    return work.goes_on(std::min(1.0, done / 20.0),
-                                        fmt::format("residual {:.3g} of the start's", share));
-                  });
+  return identify(run, {drive, options.fit, options.iterations}, [&](int done, double share) {
+    return work.goes_on(std::min(1.0, done / 20.0),
+                        fmt::format("residual {:.3g} of the start's", share));
+  });
 }
 
 int run_identify(const IdentifyArguments& options) {

@@ -12,12 +12,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "design/src/input/against_spec.hpp"
 #include "jounce/axis/job.hpp"
 #include "jounce/design/detail/cam_check.hpp"
 #include "jounce/design/detail/file_check.hpp"
 #include "jounce/io/table_file.hpp"
 
+#include "design/src/input/against_spec.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace jounce::cli {

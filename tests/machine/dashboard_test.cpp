@@ -85,7 +85,7 @@ TEST(Dashboard, ShowsTheAxesByNameAndTheFirstInDetail) {
   for (const char* said :
        {"synchronized_motion", "motion running", "123.25 mm", "master 45.5 deg", "-7.5 mm/s",
         "torque 40 %", "following error 0.25 mm", "50 %", "1024 of 4096 rows", "1 3 ", "3 cycles",
-        "a period of 1 ms or more late, tick 4711", "99.9 % within 64 us"})
+        "late by 1 ms or more; present tick 4711", "99.9 % within 64 us"})
     EXPECT_THAT(text, HasSubstr(said));
 }
 

@@ -5,9 +5,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "stream/harness.hpp"
-
 #include "jounce/stream/detail/sender.hpp"
+
+#include "stream/harness.hpp"
 
 namespace jounce::stream_test {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "design/src/input/against_spec.hpp"
+#include "design/src/check/against.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,8 +16,8 @@
 #include "jounce/profiles/curve/difference.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 
-#include "design/src/check/against.hpp"
 #include "design/src/convert/for_controller.hpp"
+#include "design/src/input/against_spec.hpp"
 
 namespace jounce {
 namespace {

@@ -9,7 +9,6 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-#include "design/src/input/against_spec.hpp"
 #include "jounce/base/detail/nearest.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/design/detail/axes.hpp"
@@ -17,6 +16,7 @@
 #include "jounce/profiles/error.hpp"
 
 #include "design/src/check/check_text.hpp"
+#include "design/src/input/against_spec.hpp"
 
 namespace jounce {
 namespace {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <utility>
 
-#include "design/src/input/against_spec.hpp"
 #include "jounce/base/file.hpp"
 #include "jounce/controllers/exchange/exchange.hpp"
 #include "jounce/design/input.hpp"
+
+#include "design/src/input/against_spec.hpp"
 
 namespace jounce {
 namespace {

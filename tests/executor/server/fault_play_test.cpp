@@ -6,14 +6,14 @@
 
 #include <gtest/gtest.h>
 
+#include "jounce/stream/sender/driver.hpp"
+#include "jounce/stream/sender/stream_outcome.hpp"
+#include "jounce/stream/sender/stream_plan.hpp"
+
 #include "axis/tables.hpp"
 #include "executor/site.hpp"
 #include "stream/src/transport/lossy_transport.hpp"
 #include "support/random.hpp"
-
-#include "jounce/stream/sender/driver.hpp"
-#include "jounce/stream/sender/stream_outcome.hpp"
-#include "jounce/stream/sender/stream_plan.hpp"
 
 namespace jounce::fault_play_test {
 namespace {

@@ -178,8 +178,8 @@ TEST(Moves, FarFromZeroKeepTheirLimits) {
     spec.acceleration = spec.velocity * random.uniform(3, 50);
     spec.jerk = spec.acceleration * random.uniform(5, 50);
     const Trajectory f = s_curve(spec).curve();
-    const Report limits = check(
-        f, {.velocity = spec.velocity, .acceleration = spec.acceleration, .jerk = spec.jerk});
+    const Report limits =
+        check(f, {.velocity = spec.velocity, .acceleration = spec.acceleration, .jerk = spec.jerk});
     EXPECT_TRUE(limits.ok()) << from << ": " << limits.findings.front().value;
     EXPECT_TRUE(check_continuity(f, 2).ok()) << from;
     EXPECT_NEAR(f.at(f.end(), Side::left).position, spec.to, 4e-16 * std::abs(spec.to) + 1e-15);

@@ -3,10 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "stream/harness.hpp"
-
 #include "jounce/stream/detail/receiver.hpp"
 #include "jounce/stream/detail/sender.hpp"
+
+#include "stream/harness.hpp"
 
 namespace jounce::late_hash_test {
 namespace {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "jounce/stream/detail/sender.hpp"
 #include "jounce/stream/sender/driver.hpp"
 
 #include <functional>
@@ -8,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "jounce/stream/detail/sender.hpp"
 #include "jounce/stream/sender/client.hpp"
 
 #include "stream/harness.hpp"

@@ -132,8 +132,8 @@ void explain(const Recording& recording, const IdentifySpec& spec, const Fitted&
 
 /// For a model that does not fit: the torque feed-forward may be that of another inertia.
 std::string feed_forward_note(const IdentifySpec& spec) {
-  const bool fits_inertia = std::any_of(
-      spec.fit.begin(), spec.fit.end(), [](const auto& key) { return key.ends_with("inertia"); });
+  const bool fits_inertia = std::any_of(spec.fit.begin(), spec.fit.end(),
+                                        [](const auto& key) { return key.ends_with("inertia"); });
   const double factor = spec.drive.controller.torque_feed_forward;
   if (!fits_inertia || factor == 0) return "";
   const double given = inertia(spec.drive);
