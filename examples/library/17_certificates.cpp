@@ -54,4 +54,4 @@ int main() {
 // > master: 512 deg/s, the slave's velocity binds at 60 deg
 // > at 400 deg/s it may accelerate with 5718.07 deg/s^2 (acceleration, 39.453 deg)
 // > warning/velocity_overshoot: 1.512 instead of 1 at 72
-// >   the slope of its moving end, times its length, divided by its stroke is 1, but must be 5/3 to 5/2: use a length from 200 to 300, or a stroke from 48 to 72
+// >   a quintic overshoots unless the slope of the moving end * length / stroke is 5/3 to 5/2, here 1: use a length from 200 to 300, or a stroke from 48 to 72

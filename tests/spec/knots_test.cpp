@@ -76,7 +76,8 @@ TEST(KnotsSpec, ShortestTimesTakeNoTimesAndNeedALimit) {
                      "knot = [{ time = 0, position = 0, velocity = 0 }, { position = 1 }]\n")),
       ::testing::HasSubstr(
           "t.toml:6:18: knot[1].time = 0: times = \"shortest\" computes the times and "
-          "velocities of all knots: give each knot a position only, or leave out times"));
+          "velocities of all knots: give each knot a position only, or remove the "
+          "line times = \"shortest\""));
   EXPECT_THAT(
       complaint(spec("times = \"shortest\"\nvelocities = \"clamped\"\nlimits = { jerk = 1 }\n"
                      "knot = [{ position = 0 }, { position = 1 }]\n")),

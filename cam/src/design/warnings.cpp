@@ -153,7 +153,7 @@ class Inspection {
       return six_digits(std::min(a, b)) + " to " + six_digits(std::max(a, b));
     };
     std::string text =
-        "a quintic overshoots unless slope of the moving end * length / stroke is "
+        "a quintic overshoots unless the slope of the moving end * length / stroke is "
         "5/3 to 5/2, here " +
         six_digits(*k * g.length / h) + ": use ";
     if (!repeats(cam_.outside()) || rho_most * h / *k < cam_.length())

@@ -47,10 +47,10 @@ TEST(Warnings, TheDefaultCamOfCodesysOvershootsItsVelocity) {
   // rho = 1: f'' = 12 z (1 - z)(3 - 5 z) is 0 at 3/5, f' = z^2 (18 - 32 z + 15 z^2) = 1.512 there.
   EXPECT_NEAR(first.value, 1.512, 1e-12);
   EXPECT_NEAR(first.where, 72, 1e-9);
-  EXPECT_EQ(
-      first.advice,
-      "a quintic overshoots unless slope of the moving end * length / stroke is 5/3 to 5/2, here "
-      "1: use a length from 200 to 300, or a stroke from 48 to 72");
+  EXPECT_EQ(first.advice,
+            "a quintic overshoots unless the slope of the moving end * length / stroke is 5/3 to "
+            "5/2, here "
+            "1: use a length from 200 to 300, or a stroke from 48 to 72");
 }
 
 TEST(Warnings, TheWindowOfRhoHasItsEdgesAt5Over3And5Over2) {
@@ -89,9 +89,10 @@ TEST(Warnings, NoRemedyIsLongerThanThePeriod) {
   const Report odd = warnings(cam);
   const Finding& f = get(odd, "warning/velocity_overshoot");
   EXPECT_EQ(f.severity, Severity::warning);
-  EXPECT_EQ(f.advice,
-            "a quintic overshoots unless slope of the moving end * length / stroke is 5/3 to 5/2, "
-            "here 1.25: use a stroke from 80 to 120");
+  EXPECT_EQ(
+      f.advice,
+      "a quintic overshoots unless the slope of the moving end * length / stroke is 5/3 to 5/2, "
+      "here 1.25: use a stroke from 80 to 120");
 }
 
 TEST(Warnings, OvershootHasItsSizeAndWhetherItIsInevitable) {
