@@ -71,8 +71,7 @@ struct ShapeFigureSpec {
   ShapeFigure figure = {};  ///< the figure that is computed
   double factor = 1;     ///< the printed number is factor * value; with `squared`, factor * value^2
   bool squared = false;  ///< true: the value is squared
-  bool times_length = false;  ///< true: the printed number is multiplied by the length of the run
-                              ///< of free segments (CamShapeProblem)
+  bool times_length = false;  ///< true: the printed number is multiplied by `length` of shown()
 };
 
 /// Returns the printed number for the computed value of a figure. `length` is the length of the run
