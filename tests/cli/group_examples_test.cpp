@@ -104,12 +104,12 @@ TEST_P(GroupExamples, ArePlayedAsPlanned) {
   EXPECT_NEAR(wanted.duration(), expected, 2e-6);
   test::Site site(axes);
   site.advance(10ms);
-  Client client(site.link, "group", {}, site.clock);
-  ASSERT_TRUE(client.enable().ok());
-  ASSERT_TRUE(client.release().ok());
   std::int64_t begin = -1;
   std::int64_t compared = 0;
   std::vector<Motion> at(n);
+  Client client(site.link, "group", {}, site.clock);
+  ASSERT_TRUE(client.enable().ok());
+  ASSERT_TRUE(client.release().ok());
   site.after = [&] {
     const Tick& group = site.last(n);
     if (group.job == 0) return;
@@ -168,11 +168,11 @@ TEST(GroupExamples, TheSpeedRatioIsLive) {
   const auto axes = axes_for(path, {});
   test::Site site(axes);
   site.advance(10ms);
+  double farthest = 0;
   Client client(site.link, "group", {}, site.clock);
   ASSERT_TRUE(client.enable().ok());
   ASSERT_TRUE(client.command(command::Override{0.5}).ok());
   ASSERT_TRUE(client.release().ok());
-  double farthest = 0;
   site.after = [&] {
     farthest = std::max(farthest, std::abs(site.last(0).position * 4 - site.last(1).position * 3));
   };

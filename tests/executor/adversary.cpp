@@ -671,11 +671,12 @@ class Episode {
 
   Random random_;
   Drawn drawn_;
-  Site site_;
-  std::vector<std::unique_ptr<Client>> clients_[2];
-  std::vector<Accepted> accepted_[2];
   std::set<std::int64_t> armed_[2];                            // groups
   std::map<std::int64_t, std::int64_t> first_[2], second_[2];  // ticks, by group
+  std::vector<Accepted> accepted_[2];
+  // Last, so destroyed first: a client sends its release then, and watch_groups() runs again.
+  Site site_;
+  std::vector<std::unique_ptr<Client>> clients_[2];
 };
 
 }  // namespace

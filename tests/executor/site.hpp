@@ -45,7 +45,8 @@ class Site {
   Site(const Site&) = delete;
   Site& operator=(const Site&) = delete;
 
-  /// Cycle by cycle: before(), the cycle, the dispatcher's turn, after().
+  /// Cycle by cycle: before(), the cycle, the dispatcher's turn, after(). A client that is destroyed
+  /// waits for the answer to its release, so what they use must outlive the site's clients.
   void advance(Nanos time);
   void turn();
   std::function<void()> before, after;

@@ -40,6 +40,7 @@ TEST(HoldToRun, RunsWhileItsSessionSendsAndStopsWhenItIsSilent) {
   ExecutorOptions options = feeder();
   options.stop_when_silent = false;  // that is for other motions
   options.receiver.session_timeout = 10s;
+  double furthest = 0;
   Jogging site(options);
   ASSERT_TRUE(
       site.client.command(command::MoveVelocity{.velocity = 100, .hold_to_run = true}).ok());
@@ -50,7 +51,6 @@ TEST(HoldToRun, RunsWhileItsSessionSendsAndStopsWhenItIsSilent) {
   }
   site.advance(150ms);
   EXPECT_EQ(site.last().velocity, 100);
-  double furthest = 0;
   site.after = [&] { furthest = std::max(furthest, std::abs(site.last().acceleration)); };
   site.expect_released();
   EXPECT_LE(furthest, 2e4 * (1 + 1e-9)) << "within the stop limits";
