@@ -2,128 +2,23 @@
 #include "executor/src/group/group_queue.hpp"
 
 #include <algorithm>
-#include <array>
-#include <chrono>
 #include <cmath>
-#include <new>
 #include <utility>
 
 #include "jounce/axis/detail/group_program.hpp"
-#include "jounce/axis/detail/path_clock.hpp"
-#include "jounce/base/document.hpp"
 #include "jounce/command/detail/command_table.hpp"
 #include "jounce/executor/detail/group_plan.hpp"
-#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
+
+#include "executor/src/group/group_command.hpp"
+#include "executor/src/group/group_text.hpp"
 
 namespace jounce {
 namespace {
 
-/// The slope of the rate must hold also for the programs that continue this one: the axes may use
-/// their limits there. If this program has a reserve, it can be played at a higher rate h. The peaks
-/// then are those of a program that uses the limits at this rate.
-GroupProgram with_peaks_of_limits(GroupProgram program) {
-  double h = 2;
-  for (const GroupAxis& axis : program.axes) h = std::min(h, highest_rate(axis.peaks, axis.config));
-  for (GroupAxis& axis : program.axes) {
-    const Limits& limits = axis.config.limits;
-    axis.peaks = {.velocity = *limits.velocity / h,
-                  .acceleration = *limits.acceleration / (h * h),
-                  .jerk = limits.jerk ? *limits.jerk / (h * h * h) : axis.peaks.jerk};
-  }
-  return program;
-}
-
-/// The highest rate of such a program.
-double highest_rate_of(const GroupProgram& program) {
-  double rate = 2;
-  for (const GroupAxis& axis : program.axes)
-    rate = std::min(rate, highest_rate(axis.peaks, axis.config));
-  return rate;
-}
-
-/// The unit of the coordinates of commands.
-const std::string& unit_of(const ExecutorGroup& group) {
-  return group.kinematics ? group.kinematics->unit : group.unit;
-}
-
-/// Keys of the errors of a path that are options of `jounce order`: corner_distance is
-/// "--corner-distance".
-constexpr std::array option_keys{
-    "to",   "by",   "via",       "center",          "radius",   "clockwise",    "turns",
-    "fast", "axis", "deviation", "corner_distance", "velocity", "acceleration", "deceleration",
-    "jerk", "zyz",  "along",     "offset",          "rotation", "blend"};
-
-/// The option for a key; "" for another key.
-std::string option_of(std::string key) {
-  if (std::find(option_keys.begin(), option_keys.end(), key) == option_keys.end()) return "";
-  std::replace(key.begin(), key.end(), '_', '-');
-  return "--" + key;
-}
-
-/// The key of the library for a coordinate of the end of a command.
-std::string to_key(std::size_t axis) {
-  return "to[" + std::to_string(axis + 1) + "]";
-}
-
-/// The sentence of an error, with units. A coordinate, such as "to[1]", has the name of its axis.
-std::string reason_of(const InputError& plain, const ExecutorGroup& group) {
-  const std::vector<std::string>& axes = group.coordinates();
-  const std::string& unit = unit_of(group);
-  const std::vector<std::string> units = group.coordinate_units();
-  Document document;
-  for (std::size_t i = 0; i < axes.size(); ++i) document.units[to_key(i)] = units[i];
-  constexpr std::array lengths{"center", "radius", "deviation", "corner_distance"};
-  const bool is_length = std::find(lengths.begin(), lengths.end(), plain.key()) != lengths.end();
-  if (is_length) document.units[plain.key()] = unit;
-  const InputError error = document.located(plain);
-  const auto sentence = [&](const std::string& name) {
-    return name + (error.value().empty() ? "" : " = " + error.value()) + ": " + error.rule();
-  };
-  for (std::size_t i = 0; i < axes.size(); ++i)
-    if (error.key() == to_key(i)) return sentence(axes[i]);
-  if (const std::string option = option_of(error.key()); !option.empty()) return sentence(option);
-  return error.key() + (error.value().empty() ? "" : " " + error.value()) + " " + error.rule();
-}
-
-bool aborts(const ClientCommand& command) {
-  return std::visit(
-      [](const auto& what) {
-        if constexpr (requires { what.path.buffer; })
-          return what.path.buffer == PathBuffer::aborting;
-        return what.kind == CommandKind::group_jog;
-      },
-      command);
-}
-
-/// True for a move in which each axis takes its own shortest time.
-bool is_fast(const ClientCommand& command) {
-  return std::visit(
-      [](const auto& what) {
-        if constexpr (requires { what.fast; }) return what.fast;
-        return false;
-      },
-      command);
-}
-
-bool blends(const ClientCommand& command) {
-  return std::visit(
-      [](const auto& what) {
-        if constexpr (requires { what.path.buffer; })
-          return what.path.buffer >= PathBuffer::blending_low;
-        return false;
-      },
-      command);
-}
-
 bool rests(const Tick& group) {
   return group.state == State::standstill && group.job == 0;
-}
-
-std::string dropped_text(std::size_t commands) {
-  return std::to_string(commands) +
-         (commands == 1 ? " command was dropped" : " commands were dropped");
 }
 
 }  // namespace
@@ -131,12 +26,11 @@ std::string dropped_text(std::size_t commands) {
 GroupQueue::GroupQueue(const ExecutorGroup& group, Worker& worker, std::size_t most_at_once,
                        std::function<Point()> places, ProgramOf program_of)
     : group_(std::make_shared<const ExecutorGroup>(group)),
-      base_(group_),
-      worker_(worker),
-      most_at_once_(most_at_once),
+      limited_(group_),
       places_(std::move(places)),
       program_of_(std::move(program_of)),
-      limited_(group_) {}
+      planner_(worker, most_at_once),
+      sent_(stages_, planner_, group_) {}
 
 void GroupQueue::take(const ClientCommand& command, const Request& request) {
   waiting_.push_back({command, request});
@@ -147,8 +41,7 @@ GroupQueue::~GroupQueue() {
 }
 
 void GroupQueue::clear() {
-  if (const std::size_t dropped = drop_stages(); dropped > 0)
-    dropped_because_ = "the waiting commands do not begin: " + dropped_text(dropped);
+  stages_.drop("the waiting commands do not begin");
   drop_attempt();
   idle_.clear();
   cancel();
@@ -169,116 +62,77 @@ void GroupQueue::cancel() {
   next_way_ = Way::shorter;
 }
 
-std::optional<GroupQueue::Step> GroupQueue::next(const Tick& group) {
+std::optional<GroupStep> GroupQueue::next(const Tick& group) {
   if (group.state == State::disabled) frame_ = {};
   if (group.tick != seen_) rate_ = std::exchange(rate_seen_, group.rate);
   seen_ = group.tick;
   finished_ = group.finished;
-  if (starts_stage_) return std::nullopt;
+  if (stages_.starts()) return std::nullopt;
   if (auto step = begin_stage(group)) return step;
-  if (!dropped_because_.empty()) return Note{std::exchange(dropped_because_, {})};
-  if (auto step = cut(group)) return step;
-  if (auto step = next_window(group)) return step;
+  if (std::string notice = stages_.take_notice(); !notice.empty())
+    return group_step::Note{std::move(notice)};
+  if (auto step = sent_.next(group)) return step;
   if (waiting_.empty()) return std::nullopt;
   if (attempt_ && attempt_->program) return std::nullopt;
   return attempt_ ? proceed(group) : begin(group);
 }
 
 /// At the end of the present motion. If the motion was ended before, the stages are dropped.
-std::optional<GroupQueue::Step> GroupQueue::begin_stage(const Tick& group) {
+std::optional<GroupStep> GroupQueue::begin_stage(const Tick& group) {
   const bool keeps_path = group.state == State::error_stop && group.job != 0;
   if (stages_.empty() || in_motion(group) || keeps_path) return std::nullopt;
-  Stage& stage = stages_.front();
+  Stage& stage = stages_.first();
   if (!rests(group) || (stage.finished && group.finished <= *stage.finished)) {
-    drop_stages();
+    stages_.drop();
     return std::nullopt;
   }
-  if (single_step_ && stage.sent && !stage.gate) stage.gate = Gate{.is_step = true};
-  if (stage.gate && !acknowledged_) return pass_gate(group);
+  if (stage.sent && !stage.gate) stage.gate = stages_.step_gate();
+  if (stages_.closed())
+    return stages_.wait_at_gate(group.tick, seconds(group_->configs.front().period));
   // A command that is being planned belongs to the last stage.
   const bool grows = attempt_ && attempt_->way == Way::after && !attempt_->adds_stage;
   if (grows && stages_.size() == 1) return std::nullopt;
-  if (stage.sent && !prepare()) return std::nullopt;
-  if (stages_.front().program) {
-    starts_stage_ = true;
-    const Stage& begins = stages_.front();
-    return Play{
-        .program = begins.program,
-        .request = {.kind = CommandKind::move_linear_absolute},
-        .own_limits = !begins.sent && !begins.commands.has_limits(path_limits_, axis_limits_)};
+  if (stage.sent && !sent_.prepare()) return std::nullopt;
+  return play_stage(group);
+}
+
+/// The first stage begins if it has a motion; otherwise the next one.
+std::optional<GroupStep> GroupQueue::play_stage(const Tick& group) {
+  const Stage& stage = stages_.first();
+  if (!stage.program) {
+    stages_.end_first({});
+    return begin_stage(group);
   }
-  end_stage({});
-  return begin_stage(group);
+  stages_.start();
+  return group_step::Play{
+      .program = stage.program,
+      .request = {.kind = CommandKind::move_linear_absolute},
+      .own_limits = !stage.sent && !stage.commands.has_limits(path_limits_, axis_limits_)};
 }
 
-/// The group rests at a gate that is not open.
-std::optional<GroupQueue::Step> GroupQueue::pass_gate(const Tick& group) {
-  const Gate gate = *stages_.front().gate;
-  const bool arrives = gate_since_ < 0;
-  if (arrives) gate_since_ = group.tick;
-  if (arrives && !gate.is_step) return Announce{gate.m_word, true};
-  const double waited =
-      static_cast<double>(group.tick - gate_since_) * seconds(group_->configs.front().period);
-  if (!(gate.timeout > 0 && waited >= gate.timeout)) return std::nullopt;
-  unacknowledged_ = true;
-  return Announce{gate.m_word, false, gate.timeout, drop_stages() - 1};  // without the gate itself
-}
-
-/// Drops all stages but the one whose beginning the group has already. Returns the number of their commands.
-std::size_t GroupQueue::drop_stages() {
-  const auto first = stages_.begin() + (starts_stage_ ? 1 : 0);
-  std::size_t dropped = 0;
-  for (auto stage = first; stage != stages_.end(); ++stage) dropped += stage->size();
-  stages_.erase(first, stages_.end());
-  gate_since_ = -1;
-  acknowledged_ = false;
-  preparing_ = {};
-  return dropped;
-}
-
-/// The first stage has begun, or has no motion.
-void GroupQueue::end_stage(std::optional<std::uint64_t> finished) {
-  stages_.pop_front();
-  gate_since_ = -1;
-  acknowledged_ = false;
-  if (!stages_.empty()) stages_.front().finished = finished;
-}
-
-std::optional<std::int32_t> GroupQueue::m_word() const {
-  const bool waits = gate_since_ >= 0 && !acknowledged_ && !stages_.empty();
-  return waits && !stages_.front().gate->is_step ? std::optional(stages_.front().gate->m_word)
-                                                 : std::nullopt;
-}
-
-Cause GroupQueue::acknowledge(std::int32_t number) {
-  const bool waits = gate_since_ >= 0 && !acknowledged_ && !stages_.empty();
-  if (!waits || (number != 0 && number != m_word())) return Cause::no_handshake;
-  acknowledged_ = true;
-  return Cause::none;
+/// The group has the first stage, or has rejected it.
+void GroupQueue::stage_answered(bool accepted, std::uint64_t movement) {
+  if (!accepted) {
+    stages_.drop();
+    return;
+  }
+  Stage& stage = stages_.first();
+  if (stage.sent)
+    sent_.begins(movement, stage);
+  else
+    playing_ = Playing{.movement = movement,
+                       .commands = std::move(stage.commands),
+                       .program = stage.program,
+                       .group = stage.group,
+                       .finished = finished_};
+  from_rest_ = false;
+  stages_.end_first(finished_);
 }
 
 void GroupQueue::answered(bool accepted, std::uint64_t movement) {
-  unacknowledged_ = false;
-  if (cut_ && cut_->program) return cut_answered(accepted, movement);
-  if (window_ && window_->program) return window_answered(accepted, movement);
-  if (std::exchange(starts_stage_, false)) {
-    Stage& stage = stages_.front();
-    if (accepted && stage.sent)
-      sent_ = PlayingSent{movement, stage.program, *stage.sent};
-    else if (accepted)
-      playing_ = Playing{.movement = movement,
-                         .commands = std::move(stage.commands),
-                         .program = stage.program,
-                         .group = stage.group,
-                         .finished = finished_};
-    if (!accepted) {
-      drop_stages();
-      return;
-    }
-    from_rest_ = false;
-    end_stage(finished_);
-    return;
-  }
+  stages_.begin_motion();
+  if (sent_.answered(accepted, movement, finished_)) return;
+  if (stages_.take_start()) return stage_answered(accepted, movement);
   if (!attempt_ || !attempt_->program) return;
   if (accepted) {
     playing_ = Playing{movement,
@@ -306,23 +160,25 @@ void GroupQueue::fail() {
   attempt_.reset();
 }
 
+void GroupQueue::begins(std::uint64_t movement, std::shared_ptr<const GroupProgram> motion,
+                        std::shared_ptr<const SentProgram> sent, std::size_t last,
+                        const Tick& group) {
+  sent_.begins(movement, std::move(motion), std::move(sent), last, group);
+}
+
+/// Number of the single commands that have not ended, and do not belong to a stage.
+std::size_t GroupQueue::unfinished(const Tick& group) const {
+  const auto played =
+      plays(group) ? static_cast<std::size_t>(playing_->commands.last() - current(group) + 1) : 0;
+  return played + waiting_.size() + idle_.size();
+}
+
 std::size_t GroupQueue::size(const Tick& group) const {
-  std::size_t all = taken(group);
-  for (const Stage& stage : stages_)
-    if (stage.sent && stage.sent->first < stage.sent->last)
-      all += stage.sent->last - stage.sent->first - (stage.gate ? 1 : 0);
-  return all;
+  return unfinished(group) + stages_.commands();
 }
 
 std::size_t GroupQueue::taken(const Tick& group) const {
-  const auto played =
-      plays(group) ? static_cast<std::size_t>(playing_->commands.last() - current(group) + 1) : 0;
-  std::size_t after = 0;
-  for (const Stage& stage : stages_)
-    after += !stage.sent  ? stage.size()
-             : stage.gate ? (stage.sent->first < stage.sent->last ? 2 : 1)
-                          : 0;  // it belongs to the present motion
-  return played + after + waiting_.size() + idle_.size();
+  return unfinished(group) + stages_.taken();
 }
 
 std::optional<std::int32_t> GroupQueue::command(const Tick& group) const {
@@ -330,7 +186,7 @@ std::optional<std::int32_t> GroupQueue::command(const Tick& group) const {
 }
 
 /// The first command is done with.
-GroupQueue::Reply GroupQueue::finish(Cause cause, const std::string& reason) {
+group_step::Reply GroupQueue::finish(Cause cause, const std::string& reason) {
   const Request request = waiting_.front().request;
   waiting_.pop_front();
   attempt_.reset();
@@ -341,14 +197,14 @@ GroupQueue::Reply GroupQueue::finish(Cause cause, const std::string& reason) {
 
 // ---- the next command --------------------------------------------------------------------------
 
-std::optional<GroupQueue::Step> GroupQueue::begin(const Tick& group) {
+std::optional<GroupStep> GroupQueue::begin(const Tick& group) {
   const auto& [command, request] = waiting_.front();
   if (releasing_ && group.state == State::stopping) return std::nullopt;
   if (const Cause no = permitted(group.state, kind_of(command)); no != Cause::none)
     return finish(no);
   try {
     if (const auto* const what = std::get_if<command::GroupSetLimits>(&command)) {
-      const SetLimits step{*what, request, continues(group)};
+      const group_step::SetLimits step{*what, request, continues(group)};
       finish(Cause::none);
       return step;
     }
@@ -364,20 +220,18 @@ std::optional<GroupQueue::Step> GroupQueue::begin(const Tick& group) {
     if (aborts(command) && ends_motion)
       if (const auto [cause, reason] = invalid_target(); cause != Cause::none)
         return finish(cause, reason);
-    if (aborts(command))
-      if (const std::size_t dropped = drop_stages(); dropped > 0)
-        dropped_because_ =
-            "an aborting command replaces the waiting commands: " + dropped_text(dropped);
-    if (aborts(command) && !rests(group) && !halting_ && sent_ && group.job == sent_->movement)
-      dropped_because_ = "an aborting command ends the program that plays: its rest is dropped";
+    if (aborts(command)) stages_.drop("an aborting command replaces the waiting commands");
+    if (aborts(command) && !rests(group) && !halting_ && sent_.plays(group))
+      stages_.notify("an aborting command ends the program that plays: its rest is dropped");
     if (rests(group)) halting_ = releasing_ = false;
-    if (rests(group) && stages_.empty() && !single_step_) return fresh(group);
+    if (rests(group) && stages_.empty() && !single_step()) return fresh(group);
     if (is_fast(command) && (!aborts(command) || rests(group)))
       return finish(Cause::in_motion,
                     "a fast move begins at rest: send it when the group rests, or with the buffer "
                     "mode aborting");
     if (aborts(command) && !rests(group))
-      return std::exchange(halting_, true) ? std::nullopt : std::optional(Step(Halt{}));
+      return std::exchange(halting_, true) ? std::nullopt
+                                           : std::optional(GroupStep(group_step::Halt{}));
     if (next_way_ == Way::rest) return follow(group);
     if (auto step = joined(group)) return step;
     return proceed(group);
@@ -387,8 +241,7 @@ std::optional<GroupQueue::Step> GroupQueue::begin(const Tick& group) {
 }
 
 /// A command that changes the frame of the commands after it; nullopt: it is another command.
-std::optional<GroupQueue::Step> GroupQueue::set_frame(const ClientCommand& command,
-                                                      const Tick& group) {
+std::optional<GroupStep> GroupQueue::set_frame(const ClientCommand& command, const Tick& group) {
   const std::size_t axes = group_->coordinates().size();
   if (const auto* const what = std::get_if<command::SetCoordinateTransform>(&command)) {
     frame_ = frame_of(*what, axes, group_->path_axes());
@@ -410,7 +263,7 @@ void GroupQueue::limit(GroupDynamics::Next next, bool from_rest) {
 
 /// True if the next command may continue the present motion.
 bool GroupQueue::continues(const Tick& group) const {
-  return plays(group) && !playing_->fast && stages_.empty() && !from_rest_ && !single_step_;
+  return plays(group) && !playing_->fast && stages_.empty() && !from_rest_ && !single_step();
 }
 
 double GroupQueue::highest_rate() const {
@@ -419,54 +272,13 @@ double GroupQueue::highest_rate() const {
              : 2;
 }
 
-namespace {
-
-std::string valued(double number, const std::string& unit) {
-  return six_digits(number) + (unit.empty() ? "" : " " + unit);
-}
-
-/// "12.5 mm": the end of the position range of an axis.
-std::string end_of_range(const JogEnd& end, const ExecutorGroup& group) {
-  const std::vector<std::string> units = end.of_joint ? group.units : group.coordinate_units();
-  return valued(end.limit, end.index < units.size() ? units[end.index] : group.unit);
-}
-
-}  // namespace
-
-/// The notice of a jog: where it ends, and why.
-std::string GroupQueue::text_of(const JogEnd& end) const {
-  std::string text = "the jog ends at";
-  const std::vector<std::string>& names = group_->coordinates();
-  const std::vector<std::string> units = group_->coordinate_units();
-  for (std::size_t i = 0; i < names.size(); ++i)
-    text += (i == 0 ? " " : ", ") + names[i] + " = " + valued(end.place[i], units[i]);
-  const std::string& axis = end.of_joint ? group_->names[end.index] : names[end.index];
-  if (end.cause == Cause::range_end)
-    return text + ": there, " + axis + " reaches the end of its position range, " +
-           end_of_range(end, *group_);
-  if (end.cause == Cause::reach_end) return text + ": there, the reach of the joints ends";
-  if (end.cause == Cause::singular_end)
-    return text + ", before a singular position: there, " + axis +
-           " limits the jog to 1 % of its velocity";
-  return "";
-}
-
 Cause GroupQueue::rests_because(const Tick& group) const {
-  if (gate_since_ >= 0 && !acknowledged_) return Cause::awaits_acknowledge;
-  if (unacknowledged_ && !in_motion(group)) return Cause::no_acknowledge;
+  if (const Cause cause = stages_.rests_because(in_motion(group)); cause != Cause::none)
+    return cause;
   const bool ended = playing_ && !in_motion(group) && group.reason == Cause::none &&
                      group.finished == playing_->finished + 1;
   const auto end = ended ? playing_->commands.jog_end() : std::nullopt;
   return end ? end->cause : Cause::none;
-}
-
-/// No commands yet, from this place.
-PathCommands GroupQueue::commands_from(const Point& place) const {
-  PathCommands commands(group_->coordinates().size(), place, 1, group_->path_axes());
-  std::vector<double> modulo;
-  for (const AxisConfig& axis : group_->configs) modulo.push_back(axis.modulo);
-  if (!group_->kinematics) commands.set_modulo(std::move(modulo));
-  return commands;
 }
 
 /// Appends the first waiting command. The answer to it names a velocity that the limits lower.
@@ -483,55 +295,18 @@ void GroupQueue::append(PathCommands& commands, const ExecutorGroup& group) {
                      "leads outward: " + names[end.index] + " stands at the end of its range, " +
                          end_of_range(end, group) + ": jog in another direction");
   }
-  const auto lowered = is_fast(command) ? std::nullopt : commands.lowered_velocity(space);
-  const std::vector<std::string> units = group.coordinate_units();
-  const std::string& axis_unit = units[commands.moves_only_follower().value_or(0)];
-  const std::string unit = (axis_unit.empty() ? "u" : axis_unit) + "/s";
-  const double given = commands.commanded_velocity();
-  if (!lowered && axis_unit != units.front() && std::isfinite(given))
-    waiting_.front().request.note =
-        "only followers move, so the velocity is " + valued(given, unit);
-  if (!lowered) return;
-  waiting_.front().request.note =
-      "the limits lower the velocity from " + six_digits(lowered->commanded) + " " + unit +
-      (lowered->everywhere ? " to " : " to at most ") + six_digits(lowered->permitted) + " " + unit;
+  waiting_.front().request.note = velocity_note(commands, space, group, is_fast(command));
 }
 
 /// A stage without commands, after all others.
 void GroupQueue::add_stage(const Tick& group, std::optional<Gate> gate) {
   const bool rests_before = stages_.empty() && rests(group);
-  stages_.push_back({.commands = commands_from(end_of(group)),
-                     .program = nullptr,
-                     .group = group_,
-                     .finished = rests_before ? std::nullopt : std::optional(group.finished),
-                     .gate = gate});
+  stages_.add({.commands = commands_from(end_of(group), *group_),
+               .program = nullptr,
+               .group = group_,
+               .finished = rests_before ? std::nullopt : std::optional(group.finished),
+               .gate = gate});
 }
-
-namespace {
-
-/// A line to the target of an absolute command, if the target does not depend on the place where the
-/// command begins.
-std::optional<command::MoveLinearAbsolute> line_to_target(const ClientCommand& command,
-                                                          std::size_t axes, const Frame& frame) {
-  const auto line = [&](const auto& what) -> std::optional<command::MoveLinearAbsolute> {
-    if constexpr (requires {
-                    what.to;
-                    what.path;
-                  }) {
-      const auto end =
-          what.to.begin() + static_cast<std::ptrdiff_t>(std::min(axes, what.to.size()));
-      const auto missing =
-          std::count_if(what.to.begin(), end, [](double x) { return std::isnan(x); });
-      const bool none = missing == end - what.to.begin();
-      if (!what.relative && !none && (missing == 0 || frame.shifts()))
-        return command::MoveLinearAbsolute{.to = what.to};
-    }
-    return std::nullopt;
-  };
-  return std::visit(line, command);
-}
-
-}  // namespace
 
 /// The reason to reject the first waiting command from any place of rest: the present motion then
 /// continues. Cause::none: no reason, or the place of rest decides.
@@ -541,11 +316,11 @@ std::pair<Cause, std::string> GroupQueue::invalid_target() const {
   const auto line = line_to_target(waiting_.front().command, group_->coordinates().size(), frame_);
   if (!line) return {};
   try {
-    PathCommands commands = commands_from(place);
+    PathCommands commands = commands_from(place, *group_);
     commands.set_frame(frame_);
     commands.append(*line);
     std::string reason =
-        planned({.commands = std::move(commands)}, *group_, std::atomic<bool>(false)).reason;
+        planned_motion({.commands = std::move(commands)}, *group_, std::atomic<bool>(false)).reason;
     return {reason.empty() ? Cause::none : Cause::bad_table, std::move(reason)};
   } catch (const InputError& error) {
     return {Cause::no_value, reason_of(error, *group_)};
@@ -553,8 +328,8 @@ std::pair<Cause, std::string> GroupQueue::invalid_target() const {
 }
 
 /// A motion from rest. A wait alone moves nothing: it waits for the next command.
-std::optional<GroupQueue::Step> GroupQueue::fresh(const Tick& group) {
-  PathCommands commands = commands_from(end_of(group));
+std::optional<GroupStep> GroupQueue::fresh(const Tick& group) {
+  PathCommands commands = commands_from(end_of(group), *group_);
   commands.set_frame(frame_);
   commands.set_limits(path_limits_, axis_limits_);
   passed_ = first_passed;
@@ -578,11 +353,10 @@ std::optional<GroupQueue::Step> GroupQueue::fresh(const Tick& group) {
 
 /// The coordinates at the end of the last command.
 Point GroupQueue::end_of(const Tick& group) const {
-  if (!stages_.empty()) return stages_.back().commands.position();
+  if (!stages_.empty()) return stages_.last().commands.position();
   if (rests(group)) return coordinates_of(places_(), *group_);
   if (plays(group)) return playing_->commands.position();
-  if (sent_ && group.job == sent_->movement)
-    return sent_->part.of->sent.program.place_before(sent_->part.last);
+  if (sent_.plays(group)) return sent_.end();
   const auto program = program_of_ ? program_of_(group.job) : nullptr;
   if (!program) throw InputError("command", "", "cannot follow the present motion: send it again");
   const Path& path = program->plan->path();
@@ -590,13 +364,13 @@ Point GroupQueue::end_of(const Tick& group) const {
 }
 
 /// The command follows the end of the last command, at rest.
-std::optional<GroupQueue::Step> GroupQueue::follow(const Tick& group) {
+std::optional<GroupStep> GroupQueue::follow(const Tick& group) {
   if (taken(group) >= most_commands)
     return finish(Cause::buffer_full, std::to_string(taken(group)) + " commands wait (limit " +
                                           std::to_string(most_commands) +
                                           "): send this one again later");
-  const bool adds = stages_.empty() || single_step_ || stages_.back().sent.has_value();
-  PathCommands commands = adds ? commands_from(end_of(group)) : stages_.back().commands;
+  const bool adds = stages_.empty() || single_step() || stages_.last().sent.has_value();
+  PathCommands commands = adds ? commands_from(end_of(group), *group_) : stages_.last().commands;
   commands.set_frame(frame_);
   commands.set_limits(path_limits_, axis_limits_);
   append(commands, *limited_);
@@ -609,7 +383,7 @@ std::optional<GroupQueue::Step> GroupQueue::follow(const Tick& group) {
 }
 
 /// The command continues the present motion.
-std::optional<GroupQueue::Step> GroupQueue::joined(const Tick& group) {
+std::optional<GroupStep> GroupQueue::joined(const Tick& group) {
   if (!continues(group)) return follow(group);
   const std::int32_t now = current(group);
   const PathCommands& all = playing_->commands;
@@ -638,63 +412,31 @@ std::optional<GroupQueue::Step> GroupQueue::joined(const Tick& group) {
   return std::nullopt;
 }
 
-/// Plans so many commands at once, or starts the planning in the thread of the worker.
-std::future<GroupQueue::Planned> GroupQueue::begun(std::size_t commands,
-                                                   std::function<Planned()> work) {
-  if (commands > most_at_once_) return worker_.ask(std::move(work));
-  std::promise<Planned> now;
-  now.set_value(work());
-  return now.get_future();
-}
-
-void GroupQueue::plan(Way way, Task task, std::shared_ptr<const ExecutorGroup> group) {
+void GroupQueue::plan(Way way, PlanTask task, std::shared_ptr<const ExecutorGroup> group) {
   Attempt attempt{way, task.commands, {}, std::make_shared<std::atomic<bool>>(false), group};
   attempt.fast = task.fast.has_value();
   const std::size_t size = task.commands.size();
   const auto work = [task = std::move(task), group = std::move(group),
-                     canceled = attempt.canceled] { return planned(task, *group, *canceled); };
-  attempt.planned = begun(size, work);
+                     canceled = attempt.canceled] {
+    return planned_motion(task, *group, *canceled);
+  };
+  attempt.planned = planner_.begin(size, work);
   attempt_.emplace(std::move(attempt));
 }
 
-GroupQueue::Planned GroupQueue::planned(const Task& task, const ExecutorGroup& group,
-                                        const std::atomic<bool>& canceled) {
-  try {
-    const std::vector<Limits> limits = space_of(group).limits;
-    const auto program =
-        task.fast ? fast_program(*task.fast, task.commands.position(), group)
-                  : planned_program(task.commands.program(), {.axes = limits}, group, &canceled);
-    Planned made;
-    if (task.before != nullptr) {
-      made.agreement = agreement(*task.before->plan, *program->plan, task.q);
-      if (!made.agreement) return made;
-    }
-    made.program = std::make_shared<const GroupProgram>(with_peaks_of_limits(*program));
-    return made;
-  } catch (const PlanCanceled&) {
-    return {};
-  } catch (const InputError& error) {
-    return {.reason = reason_of(error, group)};
-  } catch (const std::bad_alloc&) {
-    return {.reason = "the path does not fit into the memory of the executor"};
-  }
-}
-
 /// The planning has ended, or goes on.
-std::optional<GroupQueue::Step> GroupQueue::proceed(const Tick& group) {
+std::optional<GroupStep> GroupQueue::proceed(const Tick& group) {
   if (!attempt_->made) {
-    if (attempt_->planned.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
-      return std::nullopt;
+    if (!is_ready(attempt_->planned)) return std::nullopt;
     attempt_->made = attempt_->planned.get();
   }
-  Planned& made = *attempt_->made;
+  PlannedMotion& made = *attempt_->made;
   if (const std::string reason = made.reason; !reason.empty())
     return finish(Cause::bad_table, reason);
   const Request& request = waiting_.front().request;
   if (attempt_->way == Way::after) {
-    if (attempt_->adds_stage || stages_.empty())
-      add_stage(group, single_step_ ? std::optional(Gate{.is_step = true}) : std::nullopt);
-    Stage& stage = stages_.back();
+    if (attempt_->adds_stage || stages_.empty()) add_stage(group, stages_.step_gate());
+    Stage& stage = stages_.last();
     stage.commands = std::move(attempt_->commands);
     stage.program = std::move(made.program);
     stage.group = std::move(attempt_->group);
@@ -703,10 +445,11 @@ std::optional<GroupQueue::Step> GroupQueue::proceed(const Tick& group) {
   if (attempt_->way == Way::rest) {
     attempt_->program = made.program;
     const auto& jog = attempt_->commands.jog_end();
-    return Play{.program = std::move(made.program),
-                .request = request,
-                .notice = jog ? text_of(*jog) : "",
-                .own_limits = !attempt_->commands.has_limits(path_limits_, axis_limits_)};
+    return group_step::Play{
+        .program = std::move(made.program),
+        .request = request,
+        .notice = jog ? text_of(*jog, *group_) : "",
+        .own_limits = !attempt_->commands.has_limits(path_limits_, axis_limits_)};
   }
   if (!made.agreement) {
     fail();

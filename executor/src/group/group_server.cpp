@@ -102,7 +102,7 @@ void GroupServer::obey(const command::GroupAcknowledge& what, const CommandReque
   const auto m_word = queue_.m_word();
   Cause no = queue_.acknowledge(what.m_word);
   if (no == Cause::no_handshake && last_.state == State::error_stop) no = Cause::in_error;
-  if (no == Cause::none && m_word) take_step(GroupQueue::Announce{*m_word, false});
+  if (no == Cause::none && m_word) take_step(group_step::Announce{*m_word, false});
   answer(request, no == Cause::none ? std::nullopt : std::optional(Refusal{.cause = no}));
 }
 
@@ -173,17 +173,17 @@ void GroupServer::take_steps() {
     std::visit([&](const auto& one) { take_step(one); }, *step);
 }
 
-void GroupServer::take_step(const GroupQueue::Halt& /*halt*/) {
+void GroupServer::take_step(const group_step::Halt& /*halt*/) {
   commands_.send({command::Halt{}});
 }
 
-void GroupServer::take_step(const GroupQueue::Play& step) {
+void GroupServer::take_step(const group_step::Play& step) {
   play(movement_of(step.program, ++numbers_), step.request, -1, step.own_limits);
   movement_ = numbers_;
   if (!step.notice.empty()) notify(step.notice);
 }
 
-void GroupServer::take_step(const GroupQueue::Extend& step) {
+void GroupServer::take_step(const group_step::Extend& step) {
   MadeMovement path = movement_of(step.program, ++numbers_);
   record(path);
   commands_.send({command::Extend{path.movement.get(), step.position, step.shift, step.until}},
@@ -192,11 +192,11 @@ void GroupServer::take_step(const GroupQueue::Extend& step) {
   movements_[movement_] = {std::move(path), {}, step.position, step.shift};
 }
 
-void GroupServer::take_step(const GroupQueue::SetLimits& step) {
+void GroupServer::take_step(const group_step::SetLimits& step) {
   set_limits(step.limits, step.request, step.continues);
 }
 
-void GroupServer::take_step(const GroupQueue::Announce& step) {
+void GroupServer::take_step(const group_step::Announce& step) {
   if (step.waits)
     notify("M" + std::to_string(step.m_word) + " waits for `jounce order " +
            options_.receiver.executor + " acknowledge`");
@@ -213,11 +213,11 @@ void GroupServer::take_step(const GroupQueue::Announce& step) {
                      .position = last_.position});
 }
 
-void GroupServer::take_step(const GroupQueue::Note& step) {
+void GroupServer::take_step(const group_step::Note& step) {
   notify(step.text);
 }
 
-void GroupServer::take_step(const GroupQueue::Reply& reply) {
+void GroupServer::take_step(const group_step::Reply& reply) {
   if (reply.reason.empty())
     return answer(reply.request, reply.cause == Cause::none
                                      ? std::nullopt

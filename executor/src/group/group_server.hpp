@@ -57,13 +57,13 @@ class GroupServer final : public MotionServer {
             const Request& request);
   /// `own_limits`: the commands of the path contain their limits (GroupDynamics::begin()).
   void play(MadeMovement path, const Request& request, std::int64_t at, bool own_limits = false);
-  void take_step(const GroupQueue::Halt& halt);
-  void take_step(const GroupQueue::Play& step);
-  void take_step(const GroupQueue::Extend& step);
-  void take_step(const GroupQueue::SetLimits& step);
-  void take_step(const GroupQueue::Announce& step);
-  void take_step(const GroupQueue::Note& step);
-  void take_step(const GroupQueue::Reply& reply);
+  void take_step(const group_step::Halt& halt);
+  void take_step(const group_step::Play& step);
+  void take_step(const group_step::Extend& step);
+  void take_step(const group_step::SetLimits& step);
+  void take_step(const group_step::Announce& step);
+  void take_step(const group_step::Note& step);
+  void take_step(const group_step::Reply& reply);
   /// `continues`: commands with queued limits may continue the present motion.
   void set_limits(const command::GroupSetLimits& what, const Request& request,
                   bool continues = false);
