@@ -132,10 +132,11 @@ std::optional<Deviations> compare_over_master(const std::vector<PlayedTick>& tic
                                      [](const PlayedTick& tick) { return tick.correction != 0; });
   const double shift = own_position(first, corrected) - designed.over_master.table(0).position;
   for (const auto& [origin, by] : {std::pair{0.0, 0.0}, {*first.master, shift}}) {
-    const OnMotion on{.at = [origin](const PlayedTick& tick) { return *tick.master - origin; },
-                      .shift = by,
-                      .corrected = corrected,
-                      .counted = [](const PlayedTick& tick) { return *tick.master; }};
+    const OnMotion on{
+        .at = [origin = origin](const PlayedTick& tick) { return *tick.master - origin; },
+        .shift = by,
+        .corrected = corrected,
+        .counted = [](const PlayedTick& tick) { return *tick.master; }};
     Deviations result = compare(ticks, on, designed.over_master, designed.tolerance);
     if (result.ok()) return result;
   }

@@ -60,6 +60,7 @@ std::optional<JointSpace> read_kinematics(TomlReader& top, const PathAxes& axes,
 
 /// Reads [[command]], points, or [gcode] with a file. Without any of them, the path is a machine
 /// for programs.
-void read_program(TomlReader& top, const PathAxes& axes, PathSettings settings, PathSpec& path);
+void read_program(TomlReader& top, const PathAxes& axes, const PathSettings& settings,
+                  PathSpec& path);
 
 }  // namespace jounce::spec_detail

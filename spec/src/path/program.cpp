@@ -134,7 +134,8 @@ void read_commands(TomlReader& top, const PathAxes& axes, PathSettings settings,
 
 }  // namespace
 
-void read_program(TomlReader& top, const PathAxes& axes, PathSettings settings, PathSpec& path) {
+void read_program(TomlReader& top, const PathAxes& axes, const PathSettings& settings,
+                  PathSpec& path) {
   if (const std::string file = read_gcode_table(top, axes, path.machine); !file.empty()) {
     const TomlReader gcode = top.table("gcode");
     set_gcode(path, gcode.file_of("file", file, [&] { return read_file(file); }), file);
