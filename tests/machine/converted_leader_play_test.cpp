@@ -115,6 +115,39 @@ TEST_F(ConvertedLeader, MayBeAMasterOfTheMachine) {
   EXPECT_NEAR(carriage.numbers("velocity").back(), 50 * t, 1) << "mm/s";
 }
 
+/// A second master in m or deg: the carriage, in mm, adds a hundredth of its motion to that of the web.
+TEST_F(ConvertedLeader, MayBeTheSecondMaster) {
+  for (const auto& [unit, expected] :
+       {std::pair{"m", 750.0 + 0.01 * 500}, {"deg", 750.0 + 0.01 * 0.5}}) {
+    write_axes();
+    write("corrector.toml",
+          "kind = \"axis\"\nname = \"corrector\"\nunits = { position = \"" + std::string(unit) +
+              "\" }\n[axis]\ncycle = \"1 ms\"\n[limits]\nvelocity = 1\nacceleration = 2\n");
+    MachineParts parts = parts_of(
+        "[[axis]]\nspec = \"web.toml\"\n[[axis]]\nspec = \"corrector.toml\"\n[[axis]]\n"
+        "spec = \"carriage.toml\"\nfollow = { axis = \"web\", second = { axis = \"corrector\" } "
+        "}\n");
+    test::Site site(std::move(parts.axes), {.recorded = true, .said = {}});
+    site.advance(100ms);
+    const auto send = [&](const std::string& axis, const ClientCommand& command) {
+      Client client(site.link, axis, {}, site.clock);
+      const CallOutcome outcome = client.command(command);
+      ASSERT_TRUE(outcome.ok()) << outcome.reason;
+      static_cast<void>(client.release());
+    };
+    send("carriage", command::CombineAxes{.numerator = 1,
+                                          .denominator = 2,
+                                          .second_numerator = 1,
+                                          .second_denominator = 100,
+                                          .dynamics = {.acceleration = 20000}});
+    send("web", command::MoveAbsolute{.position = 1.5});
+    send("corrector", command::MoveAbsolute{.position = 0.5});
+    site.advance(4s);
+    EXPECT_NEAR(site.last(2).position, expected, 1e-9) << unit;
+    EXPECT_FALSE(site.replayed().difference) << unit;
+  }
+}
+
 TEST_F(ConvertedLeader, HasTheSameQuantity) {
   write_axes("deg");
   EXPECT_THAT(

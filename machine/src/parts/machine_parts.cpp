@@ -220,11 +220,10 @@ std::string meant(const std::string& name, const std::vector<Leader>& leaders, c
   return (names.empty() ? "" : ", which has " + listed(names)) + else_;
 }
 
-/// The leader with the names in the table `table` of the axis: "follow", "follow.second". `unit`: the
-/// unit of its master, to which the leader is converted; "": not converted.
-Follow resolved(const Read& axis, const FollowWhom& whom, const std::string& table,
-                const std::string& unit, const std::vector<Leader>& axes,
-                const std::vector<Leader>& masters) {
+/// The leader with the names in the table `table` of the axis: "follow", "follow.second".
+/// `converted`: the leader must have a unit of the same quantity as the master of the axis.
+Follow resolved(const Read& axis, const FollowWhom& whom, const std::string& table, bool converted,
+                const std::vector<Leader>& axes, const std::vector<Leader>& masters) {
   const bool of_master = !whom.master.empty();
   const std::string& name = of_master ? whom.master : whom.axis;
   const std::vector<Leader>& leaders = of_master ? masters : axes;
@@ -241,13 +240,14 @@ Follow resolved(const Read& axis, const FollowWhom& whom, const std::string& tab
     refuse("is not an axis of this machine" +
            meant(name, leaders, ": add the axis, or correct the name"));
   if (!of_master && name == axis.spec.name) refuse("is this axis itself: name another axis");
+  const std::string& unit = axis.spec.master_unit;
   const bool converts = unit.empty() || unit == leader->unit || is_convertible(leader->unit, unit);
-  if (!converts)
+  if (!converts && converted)
     refuse("has the unit " + leader->unit + ", but the axis " + axis.spec.name +
            " has units.master = \"" + unit + "\" in its own spec: write \"" + leader->unit +
            "\" there, or follow something in " + unit);
   Follow follow = leader->follow;
-  if (!unit.empty()) follow.scale = conversion(leader->unit, unit);
+  if (!unit.empty() && converts) follow.scale = conversion(leader->unit, unit);
   if (whom.actual) follow.what = Follow::What::actual;
   return follow;
 }
@@ -259,10 +259,10 @@ void set_leaders(ExecutorOptions& executor, const Read& axis, const std::vector<
     throw axis.spec.document.located(InputError(
         "registration", "", "needs a master: add [follow] to the axis or to its machine"));
   if (!axis.follow) return;
-  executor.follow = resolved(axis, *axis.follow, "follow", axis.spec.master_unit, axes, masters);
+  executor.follow = resolved(axis, *axis.follow, "follow", true, axes, masters);
   executor.logs_profile = true;
   for (const FollowWhom& second : axis.follow->second)
-    executor.second = resolved(axis, second, "follow.second", "", axes, masters);
+    executor.second = resolved(axis, second, "follow.second", false, axes, masters);
 }
 
 /// Sets the references of the compensation of an axis: other axes of the machine by name, and the axis
