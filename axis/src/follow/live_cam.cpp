@@ -7,6 +7,7 @@
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 
+#include "axis/src/follow/coupled_peaks.hpp"
 #include "axis/src/follow/live.hpp"
 
 namespace jounce {
@@ -86,6 +87,15 @@ Setpoint LiveCam::at(const Moment& now) noexcept {
   progress_ = released_ ? Progress::done : step.in_sync ? Progress::running : Progress::engaging;
   const Jet slave = released_ ? step.slave : point(*table_, engaged_, now.master, now.t);
   return last_ = axis_detail::setpoint(now.master, slave);
+}
+
+Peaks LiveCam::demand(const Moment& start) const noexcept {
+  const auto& [position, v, a, j] = start.master;
+  const bool passes_all =
+      table_->outside() == Extrapolation::wrap || table_->outside() == Extrapolation::advance;
+  if (!passes_all || v * a < 0) return {};
+  const Peaks need = coupled_peaks(slopes_, {.velocity = std::abs(v)});
+  return {.velocity = need.velocity, .acceleration = need.acceleration};
 }
 
 std::optional<MotionState> LiveCam::first_setpoint(const Moment& now) const noexcept {

@@ -278,8 +278,8 @@ void MotionAxis::Impl::begin_pending(const Moment& at) {
   begin.ratio = followed_ratio();
   no = armed_->begin(*state, begin);
   if (no != Cause::none) return drop(begin_refusal(no, *state));
-  if (const auto refusal = against_demand(begin)) return drop(*refusal);
   if (const auto refusal = live ? against_jump() : std::nullopt) return drop(*refusal);
+  if (const auto refusal = against_demand(begin)) return drop(*refusal);
   const ArmedMotion begun = std::exchange(armed_, {});
   const bool was_moving = moving();
   const bool was_registered = is_registered();

@@ -137,11 +137,14 @@ Cause check_range(const MotionState& last, const MotionState& next,
   return Cause::none;
 }
 
-bool exceeds_velocity(const MotionState& state, const AxisConfig& config) noexcept {
+double reached_speed(const MotionState& state, const AxisConfig& config) noexcept {
   const auto& [p, v, a] = state;
   const bool grows = config.limits.jerk && v * a >= 0;
-  const double highest = std::abs(v) + (grows ? a * a / (2 * config.stop_jerk) : 0);
-  return highest > *config.limits.velocity * (1 + same);
+  return std::abs(v) + (grows ? a * a / (2 * config.stop_jerk) : 0);
+}
+
+bool exceeds_velocity(const MotionState& state, const AxisConfig& config) noexcept {
+  return reached_speed(state, config) > *config.limits.velocity * (1 + same);
 }
 
 bool exceeds_acceleration(const MotionState& state, const AxisConfig& config) noexcept {

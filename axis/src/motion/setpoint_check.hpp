@@ -46,8 +46,10 @@ Stop gentlest_stop(const MotionState& state, const AxisConfig& config) noexcept;
 Cause check_range(const MotionState& last, const MotionState& next,
                   const AxisConfig& config) noexcept;
 
-/// True if the velocity exceeds its limit, or will exceed it even if stop_jerk reduces the
-/// acceleration to 0 from now on.
+/// The speed that the axis reaches even if stop_jerk reduces the acceleration to 0 from now on, u/s.
+double reached_speed(const MotionState& state, const AxisConfig& config) noexcept;
+
+/// True if the reached speed exceeds the limit of the velocity.
 bool exceeds_velocity(const MotionState& state, const AxisConfig& config) noexcept;
 
 /// True if the speed rises, and the acceleration exceeds its limit. While the speed falls, a follower

@@ -250,7 +250,7 @@ double MotionAxis::Impl::excess(Cause wrong, const Setpoint& next) const {
   const auto [p, v, a] = state_of(next);
   switch (wrong) {
     case Cause::overspeed:
-      return std::max(std::abs(v), std::abs(p - now_.position) / dt());
+      return std::max(reached_speed({p, v, a}, config_), std::abs(p - now_.position) / dt());
     case Cause::overacceleration:
       return std::abs(a);
     case Cause::jump:

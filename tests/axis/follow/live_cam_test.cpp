@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include <gtest/gtest.h>
 
@@ -321,6 +322,50 @@ TEST(LiveCam, ATakeoverThatWouldJumpIsDropped) {
   EXPECT_EQ(dropped->cause, Cause::start_jump);
   EXPECT_EQ(now.job, 1U);
   EXPECT_NEAR(now.velocity, 1000, 1e-9);
+}
+
+// The witness is the same cam on an axis with wide limits: its greatest speed and acceleration in a period.
+TEST(LiveCam, ACamThatRepeatsIsRejectedIfItCannotKeepUpWithItsMaster) {
+  constexpr double v = 300;
+  const auto begun = [](const Limits& within, const std::function<Jet(double)>& master) {
+    LiveCam cam(1, pmc600_cam(), ramp());
+    Coupled bench({.limits = within}, master);
+    return test::refusal(bench.begin(cam));
+  };
+  LiveCam cam(1, pmc600_cam(), ramp());
+  Coupled bench({.limits = limits(1e5, 1e7)}, steady(v));
+  ASSERT_EQ(test::refusal(bench.begin(cam)), Cause::none);
+  bench.run(2000);  // the ramp has ended
+  double fastest = 0, strongest = 0;
+  for (int k = 0; k < 1200; ++k) {
+    const Tick now = bench.step();
+    fastest = std::max(fastest, std::abs(now.velocity));
+    strongest = std::max(strongest, std::abs(now.acceleration));
+  }
+  EXPECT_EQ(begun(limits(1.01 * fastest, 1e7), steady(v)), Cause::none);
+  EXPECT_EQ(begun(limits(0.99 * fastest, 1e7), steady(v)), Cause::velocity_limit);
+  EXPECT_EQ(begun(limits(1e5, 1.01 * strongest), steady(v)), Cause::none);
+  EXPECT_EQ(begun(limits(1e5, 0.99 * strongest), steady(v)), Cause::acceleration_limit);
+  const auto slows = [](double t) { return Jet{v * t - 20 * t * t, v - 40 * t, -40, 0}; };
+  EXPECT_EQ(begun(limits(1e5, 0.99 * strongest), slows), Cause::none) << "it may be slow in time";
+}
+
+// At 4000 u/s^2, the axis must brake before its limit: the number is the velocity that it would reach.
+TEST(LiveCam, AnOverspeedHasTheVelocityThatExceedsTheLimit) {
+  const TablePtr even = test::table(Domain::master, Interpolation::linear, Extrapolation::advance,
+                                    {{0, 100}, {0, 100}, {}, {}});
+  LiveCam cam(1, even);
+  Coupled bench({.limits = limits(400, 5000, 1e5)}, [](double time) {
+    const double t = std::max(time - 0.01, 0.0);
+    return Jet{2000 * t * t, 4000 * t, t > 0 ? 4000.0 : 0.0, 0};
+  });
+  ASSERT_EQ(test::refusal(bench.begin(cam)), Cause::none);
+  Tick now = bench.step();
+  for (int k = 0; k < 200 && now.fault == Cause::none; ++k) now = bench.step();
+  ASSERT_EQ(now.fault, Cause::overspeed);
+  EXPECT_GT(now.fault_value, 400);
+  EXPECT_LT(now.fault_value, 400 + 4000 * 2e-3) << "within two ticks";
+  EXPECT_LT(now.velocity, 400);
 }
 
 // The limit of a follower: `acceleration` while its speed rises. It may brake with its leader, up to

@@ -51,6 +51,9 @@ class LiveCam final : public Movement {
       const Moment& now) const noexcept override;
   [[nodiscard]] bool passes() const noexcept override { return true; }
   [[nodiscard]] std::array<double, 3> slopes() const noexcept override { return slopes_; }
+  /// For a cam that repeats, behind a master that does not slow down. No jerk: the axis does not
+  /// supervise it.
+  [[nodiscard]] Peaks demand(const Moment& start) const noexcept override;
   [[nodiscard]] std::optional<Moment> pass_end(const Moment& now) const noexcept override;
 
   /// Number of periods of the cam that were completed since the start; a period that is passed
