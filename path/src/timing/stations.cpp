@@ -138,8 +138,7 @@ double reached_within(const Unit& unit, double v, double cap, double acceleratio
 /// v of (1) at the start of each unit, and at the end.
 std::vector<double> velocities(const std::vector<Unit>& units) {
   const std::size_t n = units.size();
-  std::vector<double> v;
-  reserve_large(v, n + 1);
+  std::vector<double> v = path_detail::with_kept_memory<double>(n + 1);
   v.resize(n + 1);
   for (std::size_t k = n; k-- > 1;) {
     const double cap = std::min({units[k].entry, units[k].box.velocity, units[k - 1].box.velocity});
@@ -252,7 +251,10 @@ class Joins {
   }
   Joins(const Joins&) = delete;
   Joins& operator=(const Joins&) = delete;
-  ~Joins() { path_detail::keep_memory(std::move(units_)); }
+  ~Joins() {
+    path_detail::keep_memory(std::move(units_));
+    path_detail::keep_memory(std::move(v_));
+  }
 
   [[nodiscard]] double duration() const { return duration_; }
   [[nodiscard]] std::vector<LawInterval> law() const { return timed(units_, v_); }
@@ -306,6 +308,7 @@ class Joins {
       const std::size_t count = units_.size();
       limited = join(most);
       if (units_.size() == count) continue;  // the velocities stay the same
+      path_detail::keep_memory(std::move(v_));
       v_ = velocities(units_);
       limited = true;
     }
@@ -372,6 +375,7 @@ std::vector<LawInterval> stations(std::vector<Unit> units) {
   std::vector<LawInterval> best = timed(units, v);
   if (!may_join_any(units, v)) {
     path_detail::keep_memory(std::move(units));
+    path_detail::keep_memory(std::move(v));
     return best;
   }
   const Joins gradual(units, v, best, 2);
