@@ -2,9 +2,12 @@
 #include "jounce/path/plan.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <span>
+#include <thread>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -431,6 +434,49 @@ TEST(Plan, ALineWithARoundedCornerNeedsAtMost380Bytes) {
       made.path().bytes() + made.law().stretches().size_bytes() + made.junctions().size_bytes();
   EXPECT_EQ(made.path().pieces().size(), 2 * lines - 1);
   EXPECT_LE(bytes, 380 * lines);
+}
+
+/// All numbers of a plan of lines and turns.
+std::vector<double> numbers_of(const Plan& motion) {
+  std::vector<double> all{motion.stop_duration()};
+  for (const LawInterval& s : motion.law().stretches())
+    all.insert(all.end(), {s.time, s.start, s.length, s.v0, s.peak, s.v1, s.acceleration,
+                           s.deceleration, s.jerk, s.duration});
+  std::array<Jet, 3> jets;
+  for (std::size_t k = 0; k < motion.path().pieces().size(); ++k) {
+    motion.path().jets(k, motion.path().pieces()[k].length / 3, jets);
+    for (const Jet& jet : jets) all.insert(all.end(), jet.begin(), jet.end());
+  }
+  return all;
+}
+
+// A thread keeps the memory of its last plan. The sides of `chain` are so short that ramps are joined.
+TEST(Plan, TheLastPlanOfTheThreadChangesNothing) {
+  Program chain(3);
+  chain.set({.velocity = 100, .corner = Corner::deviation, .value = 0.05});
+  for (int i = 1; i <= 200; ++i)
+    chain.line({std::sin(0.02 * i) * 40 + 0.5 * std::sin(1.7 * i), std::sin(0.04 * i) * 40, 0}, i);
+  const Plan joined = plan(chain, usual(3));
+  EXPECT_TRUE(std::ranges::any_of(joined.law().stretches(),
+                                  [](const LawInterval& s) { return s.pieces > 1; }));
+  const std::array programs{zigzag(30), chain, zigzag(900), zigzag(31)};
+  const auto all = [&] {
+    std::vector<std::vector<double>> plans;
+    for (const bool stop : {true, false})
+      for (const Program& program : programs)
+        plans.push_back(numbers_of(plan(program, usual(3), {.stop_at_corners = stop})));
+    return plans;
+  };
+  const auto after_others = all();
+  EXPECT_EQ(all(), after_others);
+  for (std::size_t k = 0; k < after_others.size(); ++k) {
+    std::vector<double> alone;
+    std::thread([&] {
+      alone = numbers_of(
+          plan(programs[k % programs.size()], usual(3), {.stop_at_corners = k < programs.size()}));
+    }).join();
+    EXPECT_EQ(alone, after_others[k]) << k;
+  }
 }
 
 TEST(Plan, TheLowerBoundOfALongProgramIsTheSumOfThoseOfItsParts) {

@@ -117,13 +117,13 @@ void append_curve(std::span<const Segment> axes, std::vector<double>& numbers, i
 
 Route route_of(const Program& program) {
   const std::size_t n = program.axes();
-  std::vector<PathPiece> pieces;
-  std::vector<double> numbers;
+  std::vector<PathPiece> pieces =
+      path_detail::with_kept_memory<PathPiece>(program.commands().size());
+  std::vector<double> numbers =
+      path_detail::with_kept_memory<double>(program.commands().size() * 2 * n);
   std::vector<Joint> joints = path_detail::with_kept_memory<Joint>(program.commands().size() + 1);
   joints.push_back({0, true});
   std::vector<std::int32_t> empty;
-  reserve_large(pieces, program.commands().size());
-  reserve_large(numbers, program.commands().size() * 2 * n);
   Point at = program.start();
   double length = 0;
   bool buffered = false;

@@ -78,6 +78,21 @@ std::vector<double> times_of(std::span<const Rest> rests, std::span<const Rest> 
   return times;
 }
 
+/// The path in memory of its own size: that of a route may be the memory of a longer one.
+Path without_spare(Path path) {
+  const std::size_t axes = path.axes();
+  auto [pieces, numbers] = std::move(path).release();
+  pieces.shrink_to_fit();
+  numbers.shrink_to_fit();
+  return {axes, std::move(pieces), std::move(numbers)};
+}
+
+void keep_memory_of(Path path) {
+  auto [pieces, numbers] = std::move(path).release();
+  path_detail::keep_memory(std::move(pieces));
+  path_detail::keep_memory(std::move(numbers));
+}
+
 }  // namespace
 
 Plan plan(const Program& program, const GroupLimits& limits, const PlanOptions& options) {
@@ -151,7 +166,9 @@ Plan plan(const Program& program, const GroupLimits& limits, const PlanOptions& 
   path_detail::keep_memory(std::move(sharp.joints));
   path_detail::keep_memory(std::move(result.rounded.units));
   Rounded& made = result.rounded;
-  return {made.path ? std::move(*made.path) : std::move(from->path),
+  Path path = made.path ? std::move(*made.path) : without_spare(std::move(from->path));
+  if (made.path || from != &sharp) keep_memory_of(std::move(sharp.path));
+  return {std::move(path),
           TimingLaw(std::move(law.stretches)),
           std::move(made.junctions),
           stop_duration,

@@ -162,6 +162,7 @@ Derivatives derivatives_of(const Path& path, std::size_t piece, std::size_t path
     return bounds;
   }
   std::vector<Segment> segments;
+  segments.reserve(3);  // of a turn
   std::array<Segment, max_axes> axes;
   for (std::size_t i = 0; i < n; ++i) {
     segments.clear();

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <span>
 
 #include "jounce/profiles/curve/query.hpp"
 #include "jounce/profiles/detail/large_pages.hpp"
@@ -136,8 +138,7 @@ double reached_within(const Unit& unit, double v, double cap, double acceleratio
 /// v of (1) at the start of each unit, and at the end.
 std::vector<double> velocities(const std::vector<Unit>& units) {
   const std::size_t n = units.size();
-  std::vector<double> v;
-  reserve_large(v, n + 1);
+  std::vector<double> v = path_detail::with_kept_memory<double>(n + 1);
   v.resize(n + 1);
   for (std::size_t k = n; k-- > 1;) {
     const double cap = std::min({units[k].entry, units[k].box.velocity, units[k - 1].box.velocity});
@@ -201,47 +202,6 @@ bool may_join(const Unit& before, const Unit& unit, double v) {
          v < std::min(unit.box.velocity, before.box.velocity) * (1 - rounded_input);
 }
 
-/// Joins units with different boxes if one ramp over both is not slower, up to `most` pieces. Returns false if there are
-/// none, also with more pieces. v: velocities at the ends of the units.
-bool join_ramps(std::vector<Unit>& units, std::vector<double>& v, std::size_t most) {
-  bool limited = false;
-  std::size_t count = 0;  // units[i] begins at v[i]
-  for (std::size_t k = 0; k < units.size(); ++k) {
-    double start = v[k];
-    const double end = v[k + 1];
-    Unit unit = units[k];
-    while (count > 0 && may_join(units[count - 1], unit, start)) {
-      const Unit& before = units[count - 1];
-      if (before.pieces + unit.pieces > most) {
-        limited = true;
-        break;
-      }
-      const double from = v[count - 1];
-      const Unit longer = joined(before, unit);
-      // Rounding does not decide: an end at the velocity of one box is often that of the other box, too.
-      if (std::max(from, end) > longer.box.velocity * (1 + rounded_input)) break;
-      const double direct =
-          ramp_distance(from, end, end > from ? longer.box.acceleration : longer.box.deceleration,
-                        longer.box.jerk);
-      if (direct > longer.length) break;
-      const double apart =
-          stretch_of(before, from, start).duration + stretch_of(unit, start, end).duration;
-      if (stretch_of(longer, from, end).duration > apart * (1 + rounded_value)) break;
-      unit = longer;
-      start = from;
-      --count;
-    }
-    if (count != k) units[count] = unit;
-    v[count] = start;
-    ++count;
-  }
-  const bool changed = count < units.size();
-  v[count] = v[units.size()];
-  units.resize(count);
-  v.resize(count + 1);
-  return changed || limited;
-}
-
 std::vector<LawInterval> timed(const std::vector<Unit>& units, const std::vector<double>& v) {
   std::vector<LawInterval> law;
   reserve_large(law, units.size());
@@ -268,14 +228,138 @@ bool may_join_any(const std::vector<Unit>& units, const std::vector<double>& v) 
   return false;
 }
 
-/// The law after all joins. At first, a stretch gets at most `most` pieces, and then twice as many in each round: which ramp
-/// is faster depends on the velocities at its ends, and these change with the shorter ramps. A stretch that grows at once
-/// often extends to a slow place far away.
-std::vector<LawInterval> joined_law(std::vector<Unit> units, std::vector<double> v,
-                                    std::size_t most) {
-  for (; join_ramps(units, v, most); most = std::min(2 * most, not_limited)) v = velocities(units);
-  return timed(units, v);
-}
+/// Joins units with different boxes if one ramp over both is not slower. Most velocities stay the same in all rounds, so
+/// the durations and refusals of earlier rounds are used again.
+class Joins {
+ public:
+  /// `v`: velocities at the ends of the units; `law`: their stretches.
+  Joins(std::vector<Unit> units, std::vector<double> v, std::span<const LawInterval> law,
+        std::size_t most)
+      : units_(std::move(units)), v_(std::move(v)) {
+    known_ = path_detail::with_kept_memory<Known>(units_.size());
+    for (std::size_t k = 0; k < units_.size(); ++k) {
+      Known& known = path_detail::append_blank(known_);
+      known.v0 = v_[k];
+      known.v1 = v_[k + 1];
+      known.duration = law[k].duration;
+      known.first = static_cast<std::uint32_t>(k);
+    }
+    run(most);
+    for (std::size_t k = 0; k < units_.size(); ++k)
+      duration_ += duration_of(units_[k], v_[k], v_[k + 1], known_[k]);
+    path_detail::keep_memory(std::move(known_));
+  }
+  Joins(const Joins&) = delete;
+  Joins& operator=(const Joins&) = delete;
+  ~Joins() {
+    path_detail::keep_memory(std::move(units_));
+    path_detail::keep_memory(std::move(v_));
+  }
+
+  [[nodiscard]] double duration() const { return duration_; }
+  [[nodiscard]] std::vector<LawInterval> law() const { return timed(units_, v_); }
+
+ private:
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+  /// A join that was refused: the first original unit of the unit before, and the velocities at the three ends.
+  struct Refusal {
+    double from = 0, start = 0, end = 0;
+    std::uint32_t first = none;
+    bool operator==(const Refusal&) const = default;
+  };
+
+  /// What is known of a unit.
+  struct Known {
+    double v0 = 0, v1 = 0, duration = 0;  ///< its last stretch
+    std::uint32_t first = 0;              ///< the first of the original units that it consists of
+    Refusal refused = {};                 ///< its last join with the unit before
+  };
+
+  static double duration_of(const Unit& unit, double v0, double v1, Known& known) {
+    if (known.v0 == v0 && known.v1 == v1) return known.duration;
+    known.v0 = v0;
+    known.v1 = v1;
+    return known.duration = stretch_of(unit, v0, v1).duration;
+  }
+
+  /// The duration of the stretch over two joined units; none if two stretches are faster. `join`: the velocities.
+  static std::optional<double> joined_duration(const Unit& before, const Unit& unit,
+                                               const Unit& longer, const Refusal& join,
+                                               Known& known_before, Known& known) {
+    const auto& [from, start, end, first] = join;
+    // Rounding does not decide: an end at the velocity of one box is often that of the other box, too.
+    if (std::max(from, end) > longer.box.velocity * (1 + rounded_input)) return std::nullopt;
+    const double direct = ramp_distance(
+        from, end, end > from ? longer.box.acceleration : longer.box.deceleration, longer.box.jerk);
+    if (direct > longer.length) return std::nullopt;
+    const double apart =
+        duration_of(before, from, start, known_before) + duration_of(unit, start, end, known);
+    const double together = stretch_of(longer, from, end).duration;
+    if (together > apart * (1 + rounded_value)) return std::nullopt;
+    return together;
+  }
+
+  /// Makes all joins. At first, a stretch gets at most `most` pieces, and then twice as many in each round: which ramp is
+  /// faster depends on the velocities at its ends, and these change with the shorter ramps. A stretch that grows at once
+  /// often extends to a slow place far away.
+  void run(std::size_t most) {
+    for (bool limited = true; limited; most = std::min(2 * most, not_limited)) {
+      const std::size_t count = units_.size();
+      limited = join(most);
+      if (units_.size() == count) continue;  // the velocities stay the same
+      path_detail::keep_memory(std::move(v_));
+      v_ = velocities(units_);
+      limited = true;
+    }
+  }
+
+  /// One round. Returns true if a stretch with more than `most` pieces is possible.
+  bool join(std::size_t most) {
+    bool limited = false;
+    std::size_t count = 0;  // units_[i] begins at v_[i]
+    for (std::size_t k = 0; k < units_.size(); ++k, ++count) {
+      double start = v_[k];
+      const double end = v_[k + 1];
+      Unit& unit = units_[k];
+      Known& known = known_[k];
+      while (count > 0 && may_join(units_[count - 1], unit, start)) {
+        const Unit& before = units_[count - 1];
+        if (before.pieces + unit.pieces > most) {
+          limited = true;
+          break;
+        }
+        Known& known_before = known_[count - 1];
+        const Refusal join{v_[count - 1], start, end, known_before.first};
+        if (known.refused == join) break;
+        const Unit longer = joined(before, unit);
+        const auto together = joined_duration(before, unit, longer, join, known_before, known);
+        if (!together) {
+          known.refused = join;
+          break;
+        }
+        unit = longer;
+        start = join.from;
+        known = {.v0 = start, .v1 = end, .duration = *together, .first = join.first};
+        --count;
+      }
+      v_[count] = start;
+      if (count == k) continue;
+      units_[count] = unit;
+      known_[count] = known;
+    }
+    v_[count] = v_[units_.size()];
+    units_.resize(count);
+    known_.resize(count);
+    v_.resize(count + 1);
+    return limited;
+  }
+
+  std::vector<Unit> units_;
+  std::vector<double> v_;
+  std::vector<Known> known_;
+  double duration_ = 0;
+};
 
 }  // namespace
 
@@ -289,13 +373,17 @@ std::vector<LawInterval> stations(std::vector<Unit> units) {
   join_alike(units);
   std::vector<double> v = velocities(units);
   std::vector<LawInterval> best = timed(units, v);
-  if (may_join_any(units, v))
-    for (const std::size_t most : {std::size_t{2}, not_limited}) {
-      std::vector<LawInterval> next = joined_law(units, v, most);
-      if (end_of(next) < end_of(best)) best = std::move(next);
-    }
-  path_detail::keep_memory(std::move(units));
-  return best;
+  if (!may_join_any(units, v)) {
+    path_detail::keep_memory(std::move(units));
+    path_detail::keep_memory(std::move(v));
+    return best;
+  }
+  const Joins gradual(units, v, best, 2);
+  const Joins at_once(std::move(units), std::move(v), best, not_limited);
+  const Joins& faster = at_once.duration() < gradual.duration() ? at_once : gradual;
+  if (!(faster.duration() < end_of(best))) return best;
+  best = {};
+  return faster.law();
 }
 
 }  // namespace jounce

@@ -191,10 +191,11 @@ class Places {
 /// rounding, to one of the longest pieces. If a sum lies half-way between two doubles, half of the
 /// difference is necessary, or another piece.
 template <class Inner>
-Curve<Inner> closed(std::vector<Segment> pieces, const Curve<Inner>& inner) {
-  Curve<Inner> g(pieces, inner.start(), inner.outside());
+Curve<Inner> closed(std::vector<Segment> all, const Curve<Inner>& inner) {
+  Curve<Inner> g(std::move(all), inner.start(), inner.outside());
   const double missing = inner.end() - g.end();
   if (missing == 0) return g;
+  std::vector<Segment> pieces(g.segments().begin(), g.segments().end());
   std::vector<Segment*> longest;
   for (Segment& piece : pieces) longest.push_back(&piece);
   const auto last = longest.begin() + std::min<std::ptrdiff_t>(3, std::ssize(longest));

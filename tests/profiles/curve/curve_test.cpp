@@ -128,6 +128,12 @@ TEST(Curve, RejectsAnInvalidCurve) {
   EXPECT_THROW(Trajectory(std::vector<Segment>{}), InputError);
   EXPECT_THROW(Trajectory({line(0, 0, 1)}), InputError);
   EXPECT_THROW(Trajectory({line(-1, 0, 1)}), InputError);
+  const auto steep = [](double length, double c4) {
+    return Segment{.length = length, .degree = 4, .c = {0, 0, 0, 0, c4}};
+  };
+  EXPECT_THROW(Trajectory({steep(1e-100, 1)}), InputError) << "its fourth derivative is 2.4e401";
+  EXPECT_THROW(Trajectory({steep(1e-30, 1e190)}), InputError);
+  EXPECT_TRUE(std::isfinite(Trajectory({steep(1e-30, 1e150)}).jet(1e-30)[3]));
   EXPECT_THROW(Trajectory({line(1, 0, std::nan(""))}), InputError);
   EXPECT_THROW(Trajectory({line(1, 0, 1)}, std::numeric_limits<double>::infinity()), InputError);
   EXPECT_THROW(Trajectory({line(1e308, 0, 1), line(1e308, 0, 1)}), InputError)

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "jounce/path/point.hpp"
@@ -55,6 +56,10 @@ class Path {
   [[nodiscard]] std::size_t axes() const { return axes_; }
   [[nodiscard]] double length() const;  ///< in q
   [[nodiscard]] std::span<const PathPiece> pieces() const { return pieces_; }
+  /// Used by plan(), which uses the memory of a path again: the pieces and the numbers.
+  [[nodiscard]] std::pair<std::vector<PathPiece>, std::vector<double>> release() && {
+    return {std::move(pieces_), std::move(numbers_)};
+  }
 
   /// Size of pieces and numbers, bytes.
   [[nodiscard]] std::size_t bytes() const {
