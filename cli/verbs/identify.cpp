@@ -73,7 +73,8 @@ void add_identify(CommandLine& line) {
               "Spec with a [drive], such as the output of `jounce new drive`")
       .required();
   verb.option("--log", options->log,
-              "Recording: CSV with time, command, and feedback, velocity, torque, current or load")
+              "Recording: CSV with time, command, and feedback, velocity, torque, current or load; "
+              "or the ticks of a run, from `jounce replay --csv`")
       .required();
   verb.option("--fit", options->fit, "Numbers to fit: motor.inertia,mass[1].stiffness,...")
       .required()

@@ -48,15 +48,23 @@ std::string share(const FittedNumber& n) {
   return half < 1000 ? fmt::format("+-{:.2g} %", half) : "unknown";
 }
 
+Json json_of(const FittedNumber& n) {
+  return {{"key", n.key},     {"unit", n.unit}, {"start", n.start},
+          {"value", n.value}, {"low", n.low},   {"high", n.high}};
+}
+
 }  // namespace
 
 std::string identification_text(const Identification& found, const std::string& unit) {
   std::string text = fmt::format("{}: {}\n", name(found.status), found.reason);
   if (found.numbers.empty()) return text;
   text += fmt::format("  {:<28} {:>12} {:>12} {:>12}   95 % interval\n", "", "start", "fitted", "");
-  for (const FittedNumber& n : found.numbers)
+  const auto add = [&](const FittedNumber& n) {
     text += fmt::format("  {:<28} {:>12} {:>12} {:>12}   {} {}\n", n.key, rounded(n.start),
                         rounded(n.value), share(n), interval(n), n.unit);
+  };
+  for (const FittedNumber& n : found.numbers) add(n);
+  if (found.feed_forward) add(*found.feed_forward);
   for (const Explained& e : found.explained)
     text +=
         fmt::format("  residual of {:<16} {:>12} {:>12} {:>12}   {} rms\n", e.quantity,
@@ -69,18 +77,17 @@ std::string identification_text(const Identification& found, const std::string& 
           e.first, e.second, e.correlation);
   for (const std::string& note : found.notes)
     if (note != found.reason) text += fmt::format("  - {}\n", note);
+  if (found.status == Identification::Status::converged)
+    text +=
+        "  next: fit another run from these numbers, which must stay within the intervals. Then "
+        "copy "
+        "the fitted [drive] into the spec of a motion, and run `jounce validate`\n";
   return text;
 }
 
 std::string identification_json(const Identification& found) {
   Json numbers = Json::array(), entangled = Json::array(), explained = Json::array();
-  for (const FittedNumber& n : found.numbers)
-    numbers.push_back({{"key", n.key},
-                       {"unit", n.unit},
-                       {"start", n.start},
-                       {"value", n.value},
-                       {"low", n.low},
-                       {"high", n.high}});
+  for (const FittedNumber& n : found.numbers) numbers.push_back(json_of(n));
   for (const Entangled& e : found.entangled)
     entangled.push_back({{"first", e.first}, {"second", e.second}, {"correlation", e.correlation}});
   for (const Explained& e : found.explained)
@@ -88,10 +95,11 @@ std::string identification_json(const Identification& found) {
                          {"rms_before", e.before},
                          {"rms_after", e.after},
                          {"autocorrelation", e.autocorrelation}});
-  const Json document{{"status", name(found.status)}, {"usable", found.usable()},
-                      {"reason", found.reason},       {"numbers", numbers},
-                      {"entangled", entangled},       {"explained", explained},
-                      {"notes", found.notes},         {"iterations", found.iterations}};
+  Json document{{"status", name(found.status)}, {"usable", found.usable()},
+                {"reason", found.reason},       {"numbers", numbers},
+                {"entangled", entangled},       {"explained", explained},
+                {"notes", found.notes},         {"iterations", found.iterations}};
+  if (found.feed_forward) document["feed_forward"] = json_of(*found.feed_forward);
   return document.dump();
 }
 

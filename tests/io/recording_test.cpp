@@ -91,34 +91,71 @@ TEST(Recording, RejectsWhatIsNone) {
 }
 
 const std::string ticks =
-    "tick,time [s],state,position [deg],velocity [deg/s],job,fault,actual [deg],torque [rated]\n";
+    "tick,time [s],state,position [rev],velocity [rev/s],acceleration [rev/s^2],job,fault,"
+    "actual [rev],following_error [rev],torque [rated]\n";
 
 TEST(Recording, IsReadFromTheTicksOfARun) {
   const std::string log = ticks +
-                          "0,0,disabled,0,0,0,none,0,0\n"
-                          "1,0.001,standstill,0,0,0,none,nan,0\n"
-                          "2,0.002,standstill,0,0,0,none,0.25,0\n"
-                          "3,0.003,discrete_motion,1,7,1,none,0.5,0.5\n"
-                          "4,0.004,discrete_motion,2,7,1,none,1.5,-1\n"
-                          "6,0.006,standstill,4,0,0,none,3.5,0\n"
-                          "7,0.007,standstill,4,0,0,none,4,0.5\n";
+                          "0,0,disabled,0,0,0,0,none,0,0,0\n"
+                          "1,0.001,standstill,0,0,0,0,none,nan,nan,0\n"
+                          "2,0.002,standstill,0,0,0,0,none,0.25,-0.25,0\n"
+                          "3,0.003,discrete_motion,1,7,3,1,none,0.5,-0.5,0.5\n"
+                          "4,0.004,discrete_motion,2,7,0,1,none,1.5,-0.5,-1\n"
+                          "6,0.006,standstill,4,0,0,0,none,3.5,-1.5,0\n"
+                          "7,0.007,standstill,4,0,0,0,none,4,0,0.5\n";
   Drive drive = servo_400w();
   drive.motor.rated_torque = 1.5;
   const Recording run = recorded(log, drive);
   EXPECT_THAT(run.time, ElementsAre(0.001, 0.002, 0.003, 0.006));
-  EXPECT_THAT(run.command, ElementsAre(0, 0, 1, 4));
-  EXPECT_THAT(run.position, ElementsAre(0.25, 0.5, 1.5, 4)) << "of the next tick";
+  EXPECT_THAT(run.command, ElementsAre(0, 0, 360, 1440));
+  EXPECT_THAT(run.position, ElementsAre(90, 180, 540, 1440)) << "of the next tick";
   EXPECT_THAT(run.torque, ElementsAre(0, 0.75, -1.5, 0.75));
   EXPECT_THAT(run.velocity, IsEmpty()) << "that of a tick is a setpoint";
+  ASSERT_EQ(run.setpoints.size(), 6U) << "also those without a response";
+  EXPECT_EQ(run.setpoints[2].time, 0.003);
+  EXPECT_EQ(run.setpoints[2].position, 360);
+  EXPECT_EQ(run.setpoints[2].velocity, 7 * 360);
+  EXPECT_EQ(run.setpoints[2].acceleration, 3 * 360);
   drive.motor.rated_torque = 0;
   drive.motor.torque_limit = 3;
   EXPECT_THAT(recorded(log, drive).torque, ElementsAre(0, 1.5, -3, 1.5));
 }
 
+/// Five ticks of a standstill at `position`, from this tick on; the drive is `error` behind.
+std::string standing(int tick, const std::string& position, const std::string& error) {
+  std::string rows;
+  for (int k = tick; k < tick + 5; ++k)
+    rows += std::to_string(k) + "," + std::to_string(k) + "e-3,standstill," + position +
+            ",0,0,0,none," + position + "," + error + ",0\n";
+  return rows;
+}
+
+TEST(Recording, KeepsTheCoordinateOfItsFirstTick) {
+  const Recording run = recorded(ticks + standing(1, "1", "0.25") + standing(6, "-3", "0.5"));
+  EXPECT_THAT(run.command, ::testing::Each(360));
+  EXPECT_EQ(run.command.size(), 9U);
+  EXPECT_EQ(run.position.front(), 270);
+  EXPECT_EQ(run.position.back(), 180);
+}
+
+TEST(Recording, IsTheLongestSectionOfEnabledTicks) {
+  const Recording run =
+      recorded(ticks + standing(1, "1", "0") + "6,6e-3,disabled,1,0,0,0,none,1,0,0\n" +
+               standing(7, "2", "0") + standing(12, "2", "0"));
+  EXPECT_EQ(run.time.front(), 0.007);
+  EXPECT_EQ(run.time.size(), 9U);
+  EXPECT_EQ(run.setpoints.size(), 10U);
+  EXPECT_THAT(
+      refused(ticks + "1,1e-3,discrete_motion,1,5,0,0,none,1,0,0\n" + standing(2, "1", "0")),
+      HasSubstr("velocity = 1800 deg/s: must be 0, with acceleration 0, in the first tick: "
+                "the recording must begin at standstill. List more ticks of the record: "
+                "increase or omit --last"));
+}
+
 TEST(Recording, NamesTheCommandsThatListTheFeedback) {
   const std::string no = refused(
-      "tick,time [s],state,position [deg],velocity [deg/s],job,fault\n"
-      "0,0,disabled,0,0,0,none\n");
+      "tick,time [s],state,position [deg],velocity [deg/s],acceleration [deg/s^2],job,fault\n"
+      "0,0,disabled,0,0,0,0,none\n");
   EXPECT_THAT(no, HasSubstr("column \"actual\": is missing"));
   EXPECT_THAT(no, HasSubstr("jounce replay run.lcmlog --csv run.csv"));
   EXPECT_THAT(refused("time [s],state,position\n0,disabled,0\n"),

@@ -34,9 +34,22 @@ TEST(Identification, HasIntervalsAndResidualsWithTheirUnits) {
   EXPECT_THAT(text, HasSubstr("+-5 %   1.9 to 2.1 kg m^2\n"));
   EXPECT_THAT(text, HasSubstr("mm rms\n"));
   EXPECT_THAT(text, HasSubstr("N m rms\n"));
+  EXPECT_THAT(text, HasSubstr("  next: fit another run from these numbers"));
+  EXPECT_THAT(text, testing::Not(HasSubstr("feed-forward inertia")));
   const auto document = nlohmann::json::parse(identification_json(inertia()));
   EXPECT_EQ(document["numbers"][0]["value"], 2);
   EXPECT_EQ(document["explained"][1]["rms_after"], 1);
+}
+
+TEST(Identification, HasTheInertiaOfTheFeedForward) {
+  Identification found = inertia();
+  found.status = Identification::Status::misfit;
+  found.feed_forward = {"feed-forward inertia", "kg m^2", 3, 4, 3.8, 4.2};
+  const std::string text = identification_text(found, "mm");
+  EXPECT_THAT(text, HasSubstr("feed-forward inertia                    3            4"));
+  EXPECT_THAT(text, testing::Not(HasSubstr("next:")));
+  const auto document = nlohmann::json::parse(identification_json(found));
+  EXPECT_EQ(document["feed_forward"]["high"], 4.2);
 }
 
 TEST(Identification, FigureShowsPositionsAsTheirDistanceFromTheCommand) {

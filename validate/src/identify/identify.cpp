@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/validate/identify.hpp"
 
+#include <algorithm>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -10,6 +12,7 @@
 
 #include "validate/src/identify/identify_fit.hpp"
 #include "validate/src/identify/identify_rules.hpp"
+#include "validate/src/identify/setpoint_curve.hpp"
 
 namespace jounce {
 
@@ -53,6 +56,34 @@ Trajectory coarse_motion(const Recording& recording) {
   return spline_through(std::move(times), std::move(commands));
 }
 
+/// True if the feed-forward of the recorded controller can differ from that of the spec, in which its
+/// inertia is only a start.
+bool frees_feed_forward(const Recording& recording, const IdentifySpec& spec) {
+  return !recording.torque.empty() && spec.drive.controller.torque_feed_forward > 0 &&
+         std::any_of(spec.fit.begin(), spec.fit.end(),
+                     [](const std::string& key) { return key.ends_with("inertia"); });
+}
+
+bool is_determined(Identification::Status status) {
+  return status == Identification::Status::converged || status == Identification::Status::misfit ||
+         status == Identification::Status::cancelled;
+}
+
+Identification found(const Recording& recording, const validate_detail::Commanded& command,
+                     const IdentifySpec& spec, const IdentifyProgress& keep_going) {
+  const auto with = [&](const std::vector<std::string>& keys) {
+    return validate_detail::told(
+        recording, spec, validate_detail::fitted(recording, command, spec, keys, keep_going));
+  };
+  if (frees_feed_forward(recording, spec)) {
+    std::vector<std::string> keys = spec.fit;
+    keys.emplace_back(validate_detail::controller_share);
+    Identification free = with(keys);
+    if (is_determined(free.status)) return free;
+  }
+  return with(spec.fit);
+}
+
 constexpr std::size_t least_samples_of_coarse = 8;  ///< a spline needs four commands
 
 }  // namespace
@@ -61,12 +92,14 @@ Identification identify(const Recording& recording, const IdentifySpec& spec,
                         const IdentifyProgress& keep_going) {
   validate_detail::require_valid(recording);
   validate_detail::require_valid(spec);
+  if (!recording.setpoints.empty()) {
+    const validate_detail::SetpointCurve command(recording.setpoints);
+    return found(recording, {command, &command}, spec, keep_going);
+  }
   const Trajectory command = spline_through(recording.time, recording.command);
   std::optional<Trajectory> coarse;
   if (recording.time.size() >= least_samples_of_coarse) coarse = coarse_motion(recording);
-  return validate_detail::told(
-      recording, spec,
-      validate_detail::fitted(recording, {command, coarse ? &*coarse : nullptr}, spec, keep_going));
+  return found(recording, {command, nullptr, coarse ? &*coarse : nullptr}, spec, keep_going);
 }
 
 Identification identify(const Recording& recording, const SignalView& reference,
@@ -78,8 +111,7 @@ Identification identify(const Recording& recording, const SignalView& reference,
   if (recording.time.front() < reference.start())
     throw InputError("time[1]", recording.time.front(),
                      "must not be before the motion's start at " + number(reference.start()));
-  return validate_detail::told(recording, spec,
-                               validate_detail::fitted(recording, {reference}, spec, keep_going));
+  return found(recording, {reference}, spec, keep_going);
 }
 
 }  // namespace jounce

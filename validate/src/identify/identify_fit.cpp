@@ -24,6 +24,7 @@
 
 #include "validate/src/drive/drive_response.hpp"
 #include "validate/src/identify/identify_rules.hpp"
+#include "validate/src/identify/stepped_response.hpp"
 
 namespace jounce::validate_detail {
 namespace {
@@ -36,8 +37,15 @@ constexpr double settled = 0.01;  // relative change of a sigma
 constexpr double flat_gain =
     1e-3;  // relative gain of |r|^2: a step of some hundredths of a standard deviation
 
-/// A sampled controller does not depend smoothly on its numbers: its counts step. The fit uses a continuous
-/// controller with the same delay: hold and difference quotient cost half a cycle each.
+/// The response of a controller with encoder counts does not depend smoothly on its numbers: the counts
+/// step. The fit is without them.
+Drive without_counts(Drive drive) {
+  drive.controller.encoder_counts = 0;
+  return drive;
+}
+
+/// In place of a sampled controller that cannot be stepped, the fit uses a continuous controller with the
+/// same delay: hold and difference quotient cost half a cycle each.
 Drive continuous(Drive drive) {
   Controller& c = drive.controller;
   c.delay += c.cycle;
@@ -54,11 +62,15 @@ VectorXd advanced(const VectorXd& x, const VectorXd& step) {
 class Fit {
  public:
   Fit(const Recording& recording, const Commanded& command, const IdentifySpec& spec,
-      const IdentifyProgress& keep_going)
+      std::vector<std::string> keys, const IdentifyProgress& keep_going)
       : recording_(recording), command_(command), spec_(spec), keep_going_(keep_going) {
-    base_ = continuous(spec.drive);
+    fit_.keys = std::move(keys);
+    base_ = without_counts(spec.drive);
     Drive copy = spec.drive;
-    for (const std::string& key : spec.fit) first_.push_back(*numbered(copy, key).value);
+    for (const std::string& key : fit_.keys) first_.push_back(*numbered(copy, key).value);
+    grid_ = grid_of(command, response_spec(base_, first_));
+    fit_.sampled = grid_.has_value() && base_.controller.cycle > 0;
+    if (!grid_) base_ = continuous(base_);
     for (std::size_t k = 0; k < outputs; ++k)
       if (!recorded(recording, k).empty()) fit_.used.push_back(k);
     commanded_.reserve(recording.time.size());
@@ -70,6 +82,7 @@ class Fit {
     if (fit_.found.status != LeastSquares::Status::not_computable) {
       fit_.values = values(fit_.found.x);
       if (command_.coarse != nullptr) compare_with(*command_.coarse);
+      if (fit_.sampled && spec_.drive.controller.encoder_counts > 0) compare_with_counts();
     }
     return std::move(fit_);
   }
@@ -82,9 +95,14 @@ class Fit {
   [[nodiscard]] static bool is_deviation(std::size_t output) {
     return output == position || output == load;
   }
-  [[nodiscard]] DriveResponse response(const SignalView& motion,
+  [[nodiscard]] ResponseSpec response_spec(const Drive& base,
+                                           const std::vector<double>& now) const {
+    return {&base, fit_.keys, now, recording_.time, spec_.tolerance};
+  }
+  [[nodiscard]] DriveResponse response(const Commanded& command,
                                        const std::vector<double>& now) const {
-    return respond(motion, {&base_, spec_.fit, now, recording_.time, spec_.tolerance});
+    const ResponseSpec spec = response_spec(base_, now);
+    return grid_ ? stepped_response(command, *grid_, spec) : respond(command.motion, spec);
   }
 
   [[nodiscard]] std::vector<double> values(const VectorXd& x) const {
@@ -113,13 +131,14 @@ class Fit {
   /// (1) without the weights.
   std::optional<Linearized> deviations(const VectorXd& x) {
     const std::vector<double> now = values(x);
+    DriveResponse r;
     try {  // two valid numbers may contradict each other
-      jounce::require_valid(with_numbers(base_, spec_.fit, now));
+      jounce::require_valid(with_numbers(base_, fit_.keys, now));
+      r = response(command_, now);
     } catch (const InputError& error) {
       fit_.failure = error.what();
       return std::nullopt;
     }
-    const DriveResponse r = response(command_.motion, now);
     if (!r.integration.ok()) {
       fit_.failure = r.integration.reason;
       return std::nullopt;
@@ -135,8 +154,8 @@ class Fit {
 
   /// Compares the fitted model with its response to the coarse command.
   void compare_with(const Trajectory& coarse) {
-    const DriveResponse fine = response(command_.motion, fit_.values);
-    const DriveResponse r = response(coarse, fit_.values);
+    const DriveResponse fine = response(command_, fit_.values);
+    const DriveResponse r = response({coarse}, fit_.values);
     if (!fine.integration.ok() || !r.integration.ok()) return;
     const Index m = fit_.samples();
     fit_.interpolation.resize(m * blocks());
@@ -148,6 +167,25 @@ class Fit {
             is_deviation(k) ? value_of(coarse, recording_.time[s]) - commanded_[s] : 0;
         fit_.interpolation[b * m + i] = r.value[k][s] - fine.value[k][s] + commands;
       }
+    }
+  }
+
+  /// Compares the fitted model with its response with the encoder's counts.
+  void compare_with_counts() {
+    const ResponseSpec smooth{&base_, fit_.keys, fit_.values, recording_.time, spec_.tolerance};
+    const DriveResponse without = stepped_values(command_, *grid_, smooth);
+    Drive counting = base_;
+    counting.controller.encoder_counts = spec_.drive.controller.encoder_counts;
+    ResponseSpec rough = smooth;
+    rough.start = &counting;
+    const DriveResponse with = stepped_values(command_, *grid_, rough);
+    const Index m = fit_.samples();
+    fit_.counts.resize(m * blocks());
+    for (Index b = 0; b < blocks(); ++b) {
+      const std::size_t k = fit_.used[static_cast<std::size_t>(b)];
+      for (Index i = 0; i < m; ++i)
+        fit_.counts[b * m + i] = with.value[k][static_cast<std::size_t>(i)] -
+                                 without.value[k][static_cast<std::size_t>(i)];
     }
   }
 
@@ -225,6 +263,7 @@ class Fit {
   const Commanded& command_;
   const IdentifySpec& spec_;
   Drive base_;
+  std::optional<Grid> grid_ = {};  // nullopt: an integration
   const IdentifyProgress& keep_going_;
   std::vector<double> first_;
   std::vector<double> commanded_;
@@ -239,8 +278,8 @@ double rms(const VectorXd& r) {
 }
 
 Fitted fitted(const Recording& recording, const Commanded& command, const IdentifySpec& spec,
-              const IdentifyProgress& keep_going) {
-  return Fit(recording, command, spec, keep_going).run();
+              std::vector<std::string> keys, const IdentifyProgress& keep_going) {
+  return Fit(recording, command, spec, std::move(keys), keep_going).run();
 }
 
 }  // namespace jounce::validate_detail

@@ -61,8 +61,31 @@ void require_times(const Recording& recording) {
                        "must be greater than " + number(t[i - 1]) + ", the previous sample");
 }
 
+namespace {
+
+void require_setpoints(const std::vector<RecordedSetpoint>& all, const std::vector<double>& times) {
+  if (all.size() < 2)
+    throw InputError("setpoints", std::to_string(all.size()), "must be at least two");
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto& [time, position, velocity, acceleration] = all[i];
+    const std::string key = "setpoints[" + std::to_string(i + 1) + "]";
+    for (const double value : {time, position, velocity, acceleration})
+      require_finite(key.c_str(), value);
+    if (i > 0 && !(time > all[i - 1].time))
+      throw InputError(key, time, "must be later than " + number(all[i - 1].time) + " s");
+  }
+  if (all.front().velocity != 0 || all.front().acceleration != 0)
+    throw InputError("setpoints[1].velocity", all.front().velocity,
+                     "must be 0, with acceleration 0: the recording must begin at standstill");
+  if (times.front() < all.front().time || times.back() > all.back().time)
+    throw InputError("time", times.front(), "must be between the first and the last setpoint");
+}
+
+}  // namespace
+
 void require_valid(const Recording& recording) {
   require_times(recording);
+  if (!recording.setpoints.empty()) require_setpoints(recording.setpoints, recording.time);
   bool any = false;
   for (std::size_t k = 0; k < outputs; ++k) {
     const std::vector<double>& values = recorded(recording, k);

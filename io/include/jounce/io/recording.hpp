@@ -20,9 +20,11 @@ namespace jounce {
 ///   of the drive;
 /// - `load`: position of an encoder at the last mass.
 ///
-/// A tick log with feedback (`jounce replay --csv`) is a recording, too: its columns position and
-/// actual are command and feedback (of the next tick, which has the response), and its torque is a
-/// share of the rated torque of the motor or, without one, of its torque limit. Rows of a disabled axis are ignored.
+/// A tick log with feedback (`jounce replay --csv`) is a recording, too. Its position, velocity and
+/// acceleration are the setpoints. The feedback of a tick is its position minus the following error of
+/// the next tick, which has the response. Its torque is a share of the rated torque of the motor or,
+/// without one, of its torque limit. The longest section of ticks in which the axis is enabled is read.
+/// It must begin at standstill.
 ///
 /// Other columns are ignored. A column without a unit has the unit of the drive's spec, or s, N m,
 /// A. Throws InputError with file, line, column and rule for everything that points.hpp rejects,

@@ -12,6 +12,14 @@
 
 namespace jounce {
 
+/// A setpoint that a drive received. Unit u: the unit of the drive's position.
+struct RecordedSetpoint {
+  double time = 0;          ///< time, s
+  double position = 0;      ///< u
+  double velocity = 0;      ///< u/s
+  double acceleration = 0;  ///< u/s^2
+};
+
 /// A recorded run of a drive. Each list has one entry for each sample. Unit u: the unit of the
 /// drive's position.
 struct Recording {
@@ -22,6 +30,9 @@ struct Recording {
   std::vector<double> torque = {};    ///< torque of the motor, N m; empty: not recorded
   /// Position of an encoder at the last mass, u; empty: not recorded.
   std::vector<double> load = {};
+  /// All setpoints, ascending, also those without a sample; empty: only `command` is known. The first
+  /// one has velocity and acceleration 0, and all samples are between the first and the last one.
+  std::vector<RecordedSetpoint> setpoints = {};
 };
 
 /// A drive, and the choice of its numbers that are fitted.
@@ -34,7 +45,7 @@ struct IdentifySpec {
 };
 
 /// A number that was fitted. In 95 of 100 recordings its interval contains the true number, if the
-/// model is right and the noise of different samples is independent.
+/// model is right. If the residuals are correlated over time, the interval allows for this.
 struct FittedNumber {
   std::string key = {};   ///< key in numbers()
   std::string unit = {};  ///< unit; "1" for a pure number
@@ -63,7 +74,8 @@ struct ResidualTest {
 
 /// Quality of the fit for one recorded quantity. A residual is the recorded value minus the value
 /// of the model. Residuals below the resolution of the recording, below the error of the integration,
-/// or below the error of the interpolation between the recorded commands, are not tested.
+/// below the error of the interpolation between the recorded commands, or below the effect of the
+/// encoder counts on the controller, are not tested.
 struct Explained {
   std::string quantity = {};  ///< "position", "velocity", "torque", "load"
   double before = 0;          ///< rms of the residuals at the start of the fit
@@ -95,6 +107,9 @@ struct Identification {
   std::string reason = {};                 ///< reason for the status, one sentence
   Drive drive = {};                        ///< the drive with the fitted numbers
   std::vector<FittedNumber> numbers = {};  ///< the fitted numbers
+  /// Inertia (kg m^2) that the torque feed-forward of the recorded controller used; nullopt: it was
+  /// not fitted, and that of the spec is assumed.
+  std::optional<FittedNumber> feed_forward = {};
   std::vector<Entangled> entangled =
       {};  ///< pairs with a correlation above 0.95, the strongest first
   std::vector<Explained> explained = {};  ///< quality of the fit of each recorded quantity
@@ -127,9 +142,15 @@ using IdentifyProgress = std::function<bool(int iteration, double share)>;
 ///     if (found.usable()) drive_through(table, found.drive);
 ///
 /// **Controller.** The fit changes the numbers of the machine, but not the output of the
-/// controller. For example, if an inertia is fitted, torque_feed_forward of the result is adapted
-/// so that the feed-forward torque is the same as at the start. If friction is fitted, a
-/// friction_feed_forward is rejected.
+/// controller. If an inertia is fitted and the torque is recorded, the inertia that the torque
+/// feed-forward of the recorded controller used is fitted, too (`feed_forward`), unless the recording
+/// then determines fewer numbers. Without a recorded torque it is the one at the start:
+/// torque_feed_forward times the inertia of the spec. torque_feed_forward of the result has this
+/// torque with the fitted inertia. If friction is fitted, a friction_feed_forward is rejected.
+///
+/// **Sampled controllers.** A linear drive is computed with its sampled controller, but without
+/// the encoder counts, if all samples are at its cycles. Otherwise a continuous controller with one
+/// cycle more delay takes its place.
 ///
 /// **Positive numbers.** The logarithm of a number is fitted, so the sign of the number cannot
 /// change. Its start must be greater than 0 (for NumberRule::any: not 0) and have the right order
@@ -139,16 +160,18 @@ using IdentifyProgress = std::function<bool(int iteration, double share)>;
 /// estimates this deviation from the residuals, and repeats the estimate until it no longer
 /// changes.
 ///
-/// **Reference.** The commanded motion is the cubic spline through the recorded commands, with
-/// continuous acceleration, at rest at both ends. Between two samples, its acceleration has an error
-/// of the order (sampling interval / time scale of the motion)^2. If the exact motion is known, use
-/// the second function: `reference` has the same time axis as the recording, and the axis is at rest
-/// at the start of `reference`.
+/// **Reference.** The commanded motion is the curve that the simulated drive of an executor follows
+/// between the setpoints (drive_stepper.hpp). Without `setpoints`, it is the cubic spline through the
+/// recorded commands, with continuous acceleration, at rest at both ends. Between two samples, the
+/// acceleration of the spline has an error of the order (sampling interval / time scale of the
+/// motion)^2. If the exact motion is known, use the second function: `reference` has the same time
+/// axis as the recording, and the axis is at rest at the start of `reference`.
 ///
 /// **Errors.** Throws InputError for an unknown key (the message lists the valid ones), a number
 /// that cannot be fitted or is named twice, an empty `fit`, an option out of range, an invalid
-/// recording, a recording without position, velocity, torque and load, a reference that is over a
-/// master or begins after the first sample, and like require_valid(Drive).
+/// recording, setpoints that begin in motion, a recording without position, velocity, torque and
+/// load, a reference that is over a master or begins after the first sample, and like
+/// require_valid(Drive).
 Identification identify(const Recording& recording, const IdentifySpec& spec,
                         const IdentifyProgress& keep_going = {});
 Identification identify(const Recording& recording, const SignalView& reference,
