@@ -276,7 +276,7 @@ TEST(Identify, FromTheRecordedCommandFindsOnlyErrorsOfTheModel) {
   const Trajectory move = test::s_curve_move();
   const Drive truth = servo_400w();
   const std::vector<std::string> keys{"mass[1].inertia", "mass[1].stiffness"};
-  for (const std::size_t samples : {200, 701, 2001}) {
+  for (const std::size_t samples : {200UL, 701UL, 2001UL}) {
     Recording run = recorded(move, truth, samples, {}, 1);
     const Identification right = identify(run, {wrong(truth, keys, 1.3), keys});
     EXPECT_EQ(right.status, Status::converged) << samples << " samples: " << right.reason;
