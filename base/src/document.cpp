@@ -148,7 +148,8 @@ std::string with_units(const std::string& rule, const std::string& own, double f
     last_end = at;
     const auto measure = key.empty() || value == 0 ? std::nullopt : measure_of(document, key);
     const double scale = measure ? measure->factor * (key == own ? factor : 1) : 1;
-    all += scale == 1 ? text : converted_text(value * scale);
+    const bool large = text.find("e+") != std::string::npos;  // 100000, not 1e+05
+    all += scale == 1 && !large ? text : converted_text(value * scale);
     if (measure) all += " " + measure->unit;
   }
   return all;

@@ -31,14 +31,16 @@ void require_axes(const MachineSpec& machine, const ExamineMachine& executor) {
   std::vector<InputError> errors;
   for (const MachineSpec::Axis& axis : machine.axes) {
     const std::string key = axis.key + ".spec";
+    const InputError other_kind =
+        machine.document.located(InputError(key, axis.spec, "must be a spec of kind \"axis\""));
     const auto located = [&](const InputError& error) {
-      return machine.document.naming(key, axis.spec, error);
+      const bool is_other =
+          error.key() == "kind" && (error.value() == "\"machine\"" || error.value() == "\"sweep\"");
+      return is_other ? other_kind : machine.document.naming(key, axis.spec, error);
     };
     try {
       const Spec spec = read_spec(axis.spec);
-      if (!std::holds_alternative<AxisSpec>(spec.subject))
-        throw machine.document.located(
-            InputError(key, axis.spec, "must be a spec of kind \"axis\""));
+      if (!std::holds_alternative<AxisSpec>(spec.subject)) throw other_kind;
       if (executor.axis) executor.axis(spec);
     } catch (const InputError& error) {
       for (const InputError& one : all_errors(error)) errors.push_back(located(one));

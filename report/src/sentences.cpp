@@ -229,9 +229,9 @@ std::string of_fill(const Finding& f, const std::string& value, const std::strin
     return fmt::format(
         "no velocities at the knots keep the limits between {} and the next knot, {} later", where,
         with_unit(f.value, labels.units.x));
-  return fmt::format(
-      "with the {} {} at a knot of the part from {} on, {}", f.quantity, value, where,
-      f.rule == "fill/convex" ? "the curve cannot bend as the points do" : "the motion reverses");
+  return fmt::format("from {} on, the {} {} at a knot {}", where, f.quantity, value,
+                     f.rule == "fill/convex" ? "prevents a curve that bends as the points do"
+                                             : "makes the motion reverse");
 }
 
 /// A quantity at a place; for a step, its size.
@@ -239,6 +239,25 @@ std::string at_its_place(const Finding& f, const std::string& value, const std::
   constexpr std::string_view step = "step of ";
   if (!f.quantity.starts_with(step)) return fmt::format("{} is {} at {}", f.quantity, value, where);
   return fmt::format("{} steps by {} at {}", f.quantity.substr(step.size()), value, where);
+}
+
+/// Findings of a slave that follows its master.
+std::string of_follow(const Finding& f, const std::string& value, const std::string& where,
+                      const std::string& unit) {
+  if (f.rule == "follow/backwards" || f.rule == "follow/reversal")
+    return fmt::format("the slave {}, with {} {} at {}",
+                       f.rule == "follow/reversal" ? "reverses" : "moves backwards", f.quantity,
+                       value, where);
+  if (f.rule == "follow/open_end")
+    return fmt::format("the table ends in motion, with {} {} at {}", f.quantity, value, where);
+  if (f.rule == "follow/wrap_ratio")
+    return fmt::format("{} at the end differs from pass to pass, and is {} at {}", f.quantity,
+                       value, where);
+  if (f.rule == "follow/end")
+    return "the segments end at " + where + ", but not at the end that the spec gives";
+  if (f.rule == "follow/begin" && f.broken)
+    return "the master never passes " + with_unit(f.limit, unit) + ", where the slave starts";
+  return at_its_place(f, value, where);
 }
 
 /// A step at a joint, against the required order.
@@ -279,8 +298,9 @@ std::string sentence(const Finding& exact, const Labels& labels) {
     case RuleFamily::continuity:
       return of_step(f, value, where);
     case RuleFamily::joint:
-    case RuleFamily::follow:
       return is_at();
+    case RuleFamily::follow:
+      return of_follow(f, value, where, labels.unit_of(f));
     case RuleFamily::bound:
     case RuleFamily::identity:
       return of_bound(f, where);

@@ -332,11 +332,13 @@ void read_body(TomlReader& top, Spec& spec) {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all;
     for (const Kind& kind : kinds) all.emplace_back(kind.name);
-    all.emplace_back("machine");  // never returned: refuse_other_kinds() rejects it
+    all.emplace_back("machine");  // refuse_other_kinds() rejects it
     return all;
   }();
   refuse_other_kinds(top);
-  const Kind& kind = kinds.at(top.variant("kind", names));
+  const std::size_t chosen = top.variant("kind", names);
+  if (chosen == kinds.size()) throw spec_detail::PartEnded{};  // a misspelled machine
+  const Kind& kind = kinds[chosen];
   spec.name = top.optional_text("name").value_or("");
   read_units(top, spec, kind);
   name_quantities(top, spec, kind);

@@ -106,7 +106,7 @@ TEST_F(StepVerdict, TheRaisedLimitOfTheRemedyHolds) {
   const Report report = check(imported(10));
   const Finding* const step = broken(report, "limit/acceleration_step");
   ASSERT_NE(step, nullptr);
-  EXPECT_THAT(step->advice, ::testing::HasSubstr("raise the limit to 250000 mm/s^3"));
+  EXPECT_THAT(step->advice, ::testing::HasSubstr("raise the jerk limit to 250000 mm/s^3"));
   EXPECT_TRUE(check(imported(250000)).ok());
 }
 

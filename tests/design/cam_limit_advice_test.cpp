@@ -82,9 +82,11 @@ TEST(CamLimitAdvice, SegmentsThatDoNotFitTogetherGetTheLeastLimit) {
   for (const Finding& f : found)
     EXPECT_THAT(
         f.advice,
-        HasSubstr("together, the segments 1 rise, 3 return need 375 deg, but only 360 deg of "
-                  "the cam, dwells included, are left for them"));
-  const double least = number_after(found.front().advice, "raise the limit to at least ");
+        HasSubstr("together, the segments 1 rise, 3 return need 375 deg, but the cam has only "
+                  "360 deg for them, dwells included: raise the limit to at least "));
+  const double now = number_after(found.front().advice, "raise the limit to at least ");
+  EXPECT_EQ(broken({}, fmt::format("geo_velocity = {}\n", now)).size(), 0U);
+  const double least = number_after(found.front().advice, ", or to ");
   EXPECT_NEAR(least, 1.875 * 100 / 360, 1e-4);
   EXPECT_EQ(broken({.rise = 180, .back = 180}, fmt::format("geo_velocity = {}\n", least)).size(),
             0U);

@@ -165,7 +165,7 @@ TEST(PvtSpec, NamesPointsThatAreTooClose) {
   const Input input = inputs_of(parse_spec(text, "p.toml"), "p.toml").front();
   const std::string found = full_text(check_all(input), input.labels);
   EXPECT_THAT(found, ::testing::HasSubstr("acceleration 5329.07 mm/s^2"));
-  EXPECT_THAT(found, ::testing::HasSubstr("its two points are 1e-09 s apart"));
+  EXPECT_THAT(found, ::testing::HasSubstr("its two points are 1e-9 s apart"));
   EXPECT_THAT(found, ::testing::HasSubstr("Remove one of them"));
 }
 

@@ -289,8 +289,7 @@ TEST(FlyingShear, NamesWhatBinds) {
   shear.stroke = 0.3;
   EXPECT_THAT(
       refusal(shear),
-      StartsWith("stroke = 0.3: must be at least 0.3375, of which run-up and braking take 0.1875, "
-                 "at line_speed = 1, or line_speed at most "));
+      StartsWith("stroke = 0.3: must be at least 0.3375 at line_speed = 1, or sync_time at most "));
   shear = case_2();
   shear.acceleration_length = 0.1;
   EXPECT_THAT(refusal(shear), StartsWith("acceleration_length = 0.1: must be at least 0.1875"));

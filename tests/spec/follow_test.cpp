@@ -74,12 +74,13 @@ TEST(FollowSpecFile, ReportsWhenItBeginsOrThatItNeverDoes) {
     const Report waits = check_follow(parse_spec(text(never), "f"));
     ASSERT_EQ(waits.findings.size(), 1U) << never;
     EXPECT_TRUE(waits.findings[0].broken);
-    EXPECT_THAT(waits.findings[0].advice, HasSubstr("would wait forever"));
+    EXPECT_THAT(waits.findings[0].advice,
+                HasSubstr("the slave waits until its master passes this position"));
   }
   const Report too_short = check_follow(parse_spec(text("{ position = 50000 }", "2000"), "f"));
   ASSERT_EQ(too_short.findings.size(), 1U);
   EXPECT_TRUE(too_short.findings[0].broken);
-  EXPECT_THAT(too_short.findings[0].advice, HasSubstr("never passes 50000 deg"));
+  EXPECT_THAT(too_short.findings[0].advice, HasSubstr("the master moves from 0 to 2000 deg"));
 }
 
 TEST(FollowSpecFile, ErrorsNameTheirPlace) {

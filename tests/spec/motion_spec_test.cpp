@@ -742,10 +742,10 @@ INSTANTIATE_TEST_SUITE_P(
                             "[[then]]\noperator = \"notch\"\nfrequency = 5\nmode_damping = 2"),
                   "a.toml:14:16: then[1].mode_damping = 2: must be less than damping"},
         BadMotion{move_spec(s_curve_lines, "[[then]]\noperator = \"retime\""),
-                  "a.toml: limits: do not limit the motion: every speed keeps them"},
+                  "a.toml: limits: do not limit the motion: add velocity, acceleration or jerk"},
         BadMotion{
             move_spec(s_curve_lines, "[[then]]\noperator = \"override\"\n[limits]\njerk = 100"),
-            "a.toml:13:1: limits: need a velocity, an acceleration and a jerk"},
+            "a.toml:13:1: limits: need a velocity, an acceleration and a jerk: add what is missing"},
         BadMotion{move_spec(s_curve_lines,
                             "[[then]]\noperator = \"override\"\n"
                             "request = [{ time = 2, factor = 2 }]\n" +
@@ -759,13 +759,13 @@ INSTANTIATE_TEST_SUITE_P(
         BadMotion{move_spec("profile = \"velocity\"\nto_velocity = 20\nacceleration = 100",
                             "[[then]]\noperator = \"moving_average\"\nwindow = 1"),
                   "a.toml:9:12: then[1].operator: needs a motion from rest to rest; this one has "
-                  "the velocity 20 mm/s at an end"},
+                  "the velocity 20 mm/s at its end"},
         BadMotion{std::string(axes_spec) +
                       "[[then]]\noperator = \"new_target\"\ntime = 0\nto = 3\nvelocity = 1\n"
                       "acceleration = 1",
                   "a.toml:24:12: then[1].operator: works with a single axis only"},
         BadMotion{std::string(axes_spec) + "[[then]]\noperator = \"override\"",
-                  "a.toml:11:10: axis[1].limits: need a velocity, an acceleration and a jerk"}));
+                  "a.toml:11:10: axis[1].limits: need a velocity, an acceleration and a jerk: add what is missing"}));
 
 std::vector<std::filesystem::path> generator_examples() {
   std::vector<std::filesystem::path> all;

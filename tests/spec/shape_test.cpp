@@ -331,7 +331,7 @@ TEST(FreeShapes, RejectWhatMakesNoSense) {
         Bad{"shape = 30, ", "shape = 30, slave = [10, 30], ",
             "segment[2].free: every segment next to a free knot must have a free shape"},
         Bad{"shape = 40 }", "shape = 40, slave = [60, 40] }",
-            "must be [lower, upper], in this order"},
+            "must be [least, greatest], in this order"},
         Bad{"[optimize]\nminimize = [\"rms torque\"]\n", "", "optimize: is missing: a free shape"},
         Bad{"[\"rms torque\"]", "[]", "optimize.minimize: is missing"},
         Bad{"[\"rms torque\"]", "[\"rms torqe\"]", "did you mean \"rms torque\"?"},

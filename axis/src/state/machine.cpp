@@ -114,7 +114,9 @@ Memberships groups_of(const std::vector<MachineAxis>& axes) {
         refuse(axes[k].name, "is already an axis of the group " + axes[*groups[k]].name +
                                  ": name each axis once");
       if (axes[k].follow.what != Follow::What::nothing)
-        refuse(axes[k].name, "follows a master: an axis of a group follows only its group");
+        refuse(axes[k].name,
+               "follows a master: an axis of a group follows only its group. Remove it from axes, "
+               "or remove its follow");
       const double most = *axes[k].config.limits.velocity * seconds(axes[k].config.period);
       const double tolerance = axes[g].group->tolerance;
       if (!(tolerance >= 0))

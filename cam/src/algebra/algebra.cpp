@@ -221,8 +221,8 @@ Pair over_one_interval(const Cam& f, const Cam& g) {
   if (repeats(a) && repeats(b)) return over_common_period(f, g);
   if (a != b)
     throw InputError("period", number(repeats(a) ? f.length() : g.length()),
-                     "belongs to one of the cams only: the sum with a cam that holds is not "
-                     "periodic; cut out a part with `part`");
+                     "belongs to one of the two cams only; the other holds, so the sum does not "
+                     "repeat: cut one period out of the repeating cam with operator = \"part\"");
   const double from = std::min(f.start(), g.start());
   const double to = std::max(f.end(), g.end());
   return {over(f, from, to, a), over(g, from, to, a)};

@@ -7,6 +7,7 @@
 #include "jounce/cam/algebra/inverse.hpp"
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/detail/hermite.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/error.hpp"
 
 // Reversion of a series. Let d be the master's travel and w = a1 d + a2 d^2 + ... the slave's. Then
@@ -102,11 +103,13 @@ void require_motion(const Inverse& g, double slave, Side side) {
 Fitted<OverMaster> inverse_within(const Inverse& g, double from, double to, double tolerance) {
   if (!(from < to)) throw InputError("to", to, "must be greater than from = " + number(from));
   if (from < g.start())
-    throw InputError("from", number(from),
-                     "must be at least " + number(g.start()) + ", where the rise or fall begins");
+    throw InputError(
+        "from", number(from),
+        "must be at least " + six_digits_up(g.start()) + ", where the rise or fall begins");
   if (to > g.end())
-    throw InputError("to", number(to),
-                     "must be at most " + number(g.end()) + ", where the rise or fall ends");
+    throw InputError(
+        "to", number(to),
+        "must be at most " + six_digits_down(g.end()) + ", where the rise or fall ends");
   profiles_detail::require_tolerance(tolerance,
                                      std::max(std::abs(g.master_from()), std::abs(g.master_to())));
   std::vector<double> ends{from};

@@ -157,8 +157,8 @@ void Resolver::require_whole_turns() const {
         key_of(spec_.segments.size(), "slave"), knots_.back().slave,
         "must differ from the start of the cam by a whole number of turns, slave_period "
         "= " +
-            number(period) + ": the nearest is slave " +
-            number(knots_.front().slave + turns * period));
+            number(period) +
+            ": the nearest is slave = " + number(knots_.front().slave + turns * period));
 }
 
 void Resolver::require_form_and_points(std::size_t i) const {
@@ -210,14 +210,17 @@ void Resolver::demand_at(std::size_t knot, std::optional<double> CamKnot::*field
 /// Two adjacent laws require different velocities at their common knot. The line, which has a velocity, is named.
 void Resolver::fail_step(std::size_t knot, double before, double demanded,
                          std::size_t segment) const {
-  const bool line_after = info(law(segment)).ends == Ends::straight;
-  const std::size_t line = line_after ? segment : knot - 1;
-  const std::size_t other = line_after ? knot - 1 : segment;
-  const double own = line_after ? demanded : before;
-  const double others = line_after ? before : demanded;
+  const std::size_t last = spec_.segments.size() - 1;
+  const std::size_t beside =
+      segment < knot ? std::min(knot, last) : std::max<std::size_t>(knot, 1) - 1;
+  const bool is_line = info(law(segment)).ends == Ends::straight;
+  const std::size_t line = is_line ? segment : beside;
+  const std::size_t other = is_line ? beside : segment;
+  const double own = is_line ? demanded : before;
+  const double others = is_line ? before : demanded;
   throw InputError("segment[" + std::to_string(line + 1) + "].law",
                    std::string("\"") + name(law(line)) + '"',
-                   std::string(line_after ? "begins" : "ends") + " at master " +
+                   std::string(line == knot ? "begins" : "ends") + " at master " +
                        number(knots_[knot].master) + " with the slope " + six_digits(own) +
                        ", but the adjacent segment " + std::to_string(other + 1) + " (" +
                        name(law(other)) + ") has the slope " + six_digits(others) + " there: " +
@@ -311,9 +314,9 @@ void Resolver::find_inflection(Placed& placed, std::size_t i) const {
   const double least = least_deceleration(placed.spec->law);
   if (!(deceleration > least))
     throw InputError(key_of(knot, "geo_acceleration"), *wanted,
-                     "must be beyond " + six_digits(least * unit) +
-                         ": a smaller value puts the inflection of the law `" +
-                         name(placed.spec->law) + "` outside its segment");
+                     std::string(unit > 0 ? "must be greater than " : "must be less than ") +
+                         six_digits(least * unit) + ": otherwise the inflection of the law `" +
+                         name(placed.spec->law) + "` is outside its segment");
   const std::size_t other = placed.reversed ? i + 1 : i;
   const double velocity = *knots_[other].geo_velocity * placed.length() / stroke;
   if (!(velocity < greatest_velocity(placed.spec->law)))
@@ -321,8 +324,8 @@ void Resolver::find_inflection(Placed& placed, std::size_t i) const {
         key_of(other, "geo_velocity"), *knots_[other].geo_velocity,
         "must be below " +
             six_digits(greatest_velocity(placed.spec->law) * stroke / placed.length()) +
-            " if the knot of the reversal gives an acceleration: give inflection "
-            "instead, or a longer segment");
+            ", because the reversal of this segment has geo_acceleration: replace "
+            "geo_acceleration by inflection, or lengthen the segment");
   placed.form.inflection = inflection_for(placed.spec->law, deceleration, velocity);
   if (!(*placed.form.inflection < 1))
     throw InputError(key_of(knot, "geo_acceleration"), *wanted,

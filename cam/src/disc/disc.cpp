@@ -96,15 +96,15 @@ Cam whole_turn(const Cam& cam, double angle) {
   const double lobes = turn / (cam.length() * angle);
   const double whole = std::round(lobes);
   if (!(whole >= 1 && whole <= 1000 && std::abs(lobes - whole) <= rounded_input * whole))
-    throw InputError("cam", six_digits(cam.length() * angle * 360 / turn) + " deg long",
-                     "must be 360 deg, or 360 deg divided by a whole number, to become a disc");
+    throw InputError(
+        "cam", six_digits(cam.length() * angle * 360 / turn) + " deg long",
+        "must be 360 deg long, or 360 deg divided by a whole number, to become a disc");
   const Range travel = extrema(cam, 0);
   const double step = cam.jet(cam.end(), Side::left)[0] - cam.jet(cam.start())[0];
   if (std::abs(step) > rounded_input * (travel.max.value - travel.min.value))
     throw InputError("cam", "",
-                     "cannot become a disc: the slave ends at " +
-                         number(cam.jet(cam.end(), Side::left)[0]) +
-                         ", but must end where it begins, at " + number(cam.jet(cam.start())[0]));
+                     "cannot become a disc: the slave must end where it begins, but its end is " +
+                         six_digits(step) + " beyond its start: change the last knot");
   const Jump jump = largest_jump(cam, 0);
   if (std::abs(jump.step) > rounded_input * (travel.max.value - travel.min.value))
     throw InputError("cam", six_digits(jump.step),

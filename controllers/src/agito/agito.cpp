@@ -18,12 +18,12 @@ using controllers_detail::ms;
 
 void require_rate(const char* key, double value) {
   if (!(value >= 100 && value <= 2e9))
-    throw InputError(key, value, "must be between 100 and 2 000 000 000 user units/s^2");
+    throw InputError(key, value, "must be at least 100 and at most 2000000000");
 }
 
 void require_speed(const char* key, double value) {
   if (!(std::abs(value) <= 60'000'000))
-    throw InputError(key, value, "must be between -60 000 000 and 60 000 000 user units/s");
+    throw InputError(key, value, "must be at least -60000000 and at most 60000000");
   if (value == 0) throw InputError(key, value, "must not be 0: nothing would move");
 }
 

@@ -81,16 +81,23 @@ class CamAdvice {
     }
     const double left = room();
     if (needed <= left * (1 + rest)) return "";
-    std::string raised = "raise the limits";
-    if (limits_.size() == 1) {
-      const auto& [order, limit] = *limits_.begin();
-      const double least = limit * std::pow(needed / left, static_cast<double>(order));
-      raised = "raise the limit to at least " + words_.of(Words::rounded_up(least), order);
-    }
     return fmt::format(
-        "together, the segments {} need {}, but only {} of the cam, dwells included, are left for "
-        "them: {}",
-        names, words_.at_least(needed), words_.x(left), raised);
+        "together, the segments {} need {}, but the cam has only {} for them, dwells included: ",
+        names, words_.at_least(needed), words_.x(left));
+  }
+
+  /// "raise the limit to at least 0.7332 mm/deg": first for the present knots, then for the best
+  /// ones.
+  [[nodiscard]] std::string raised_text(const Finding& f, std::size_t order) const {
+    const std::string now =
+        "raise the limit to at least " + words_.of(Words::rounded_up(std::abs(f.value)), order);
+    if (limits_.size() != 1) return now;
+    double needed = 0;
+    for (const auto& [name, length] : lengths_) needed += length;
+    const double least =
+        limits_.begin()->second * std::pow(needed / room(), static_cast<double>(order));
+    return now + ", or to " + words_.of(Words::rounded_up(least), order) +
+           " with longer segments instead of dwells";
   }
 
   [[nodiscard]] std::string text_of(const Finding& f, std::size_t order,
@@ -102,7 +109,7 @@ class CamAdvice {
     if (!s.scales() || length == lengths_.end())
       return why + verb + " the segment, or raise the limit";
     const std::string law = why.empty() ? law_text(f, order, s) : "";
-    if (!crowded.empty()) return crowded + law;
+    if (!crowded.empty()) return crowded + raised_text(f, order) + law;
     return fmt::format("{}{} the segment to at least {}{}", why, verb,
                        words_.at_least(length->second), law.empty() ? ", or raise the limit" : law);
   }

@@ -18,9 +18,11 @@
 
 #include "design/src/check/cam_limit_advice.hpp"
 #include "design/src/check/stretch.hpp"
+#include "design/src/input/excursions.hpp"
 
 namespace jounce {
 
+using design_detail::begins_beyond;
 using design_detail::impossibility;
 using design_detail::least_length;
 using design_detail::least_peaks;
@@ -69,11 +71,11 @@ std::string points_advice(const Finding& f, std::size_t order, const Stretch& s,
         "the segment moves {} in {}: its mean velocity is {}, above the limit {}. Give the segment "
         "more than {}, or raise the limit",
         words.of(std::abs(s.stroke), 0), words.x(s.length), words.of(std::abs(mean), 1),
-        words.of(std::abs(f.limit), 1), words.at_least(std::abs(s.stroke / f.limit)));
+        words.limit(std::abs(f.limit), 1), words.at_least(std::abs(s.stroke / f.limit)));
   if (order == 1 && s.at_end)
     return fmt::format(
         "the point at {} has the velocity {}: {} {}", words.x(f.where), words.of(f.value, 1),
-        f.limit > 0 ? "lower it to at most" : "raise it to at least", words.of(f.limit, 1));
+        f.limit > 0 ? "lower it to at most" : "raise it to at least", words.limit(f.limit, 1));
   const std::string closer = fmt::format(
       "bring the velocities of its two points closer to {}, the mean velocity of the segment",
       words.of(mean, 1));
@@ -102,7 +104,7 @@ std::string rounding_advice(const Finding& f, std::size_t order, const Input& in
 /// The advice for a motion that a generator makes from its velocity, acceleration and jerk.
 std::string motion_advice(const Finding& f, std::size_t order, const Words& words) {
   return fmt::format("lower the {} of the motion to at most {}, or raise the limit",
-                     coefficients[order], words.of(std::abs(f.limit), order));
+                     coefficients[order], words.limit(std::abs(f.limit), order));
 }
 
 /// The advice for a table from a file.
@@ -114,7 +116,9 @@ std::string table_advice(const Finding& f, std::size_t order, double length, con
 
 /// The advice for a limit of the position over time.
 std::string position_advice(const Input& input, const Finding& f) {
-  if (!input.spec) return "shift or shorten the motion, or raise the limit";
+  if (begins_beyond(std::get<Trajectory>(*input.curve), f))
+    return "the motion begins outside the position range: move its start, or widen the range";
+  if (!input.spec) return "shift or shorten the motion, or widen the range";
   if (!std::holds_alternative<Table>(input.spec->subject) || !input.spec->then.empty())
     return "move the target into the position range, or widen the range";
   const Trajectory& curve = std::get<Trajectory>(*input.curve);

@@ -76,8 +76,9 @@ std::string advice_for(const Motion& motion, const Step& step, const Finding& f,
     return text +
            "only the table steps, the curve is continuous. Set rule = \"quintic_hermite\" in "
            "[table], or give it a smaller tolerance";
-  const std::string raised = fmt::format(
-      "raise the limit to {} {}", six_digits_up(limit * f.value / f.limit), motion.unit(next));
+  const std::string raised =
+      fmt::format("raise the {} limit to {} {}", OverTime::names[next],
+                  six_digits_up(limit * f.value / f.limit), motion.unit(next));
   return text + fmt::format("make the {} continuous there, {}or {}", motion.names()[step.order],
                             motion.is_cam() ? "slow the master down, " : "", raised);
 }

@@ -12,6 +12,7 @@
 
 #include "jounce/base/units.hpp"
 #include "jounce/cam/design/design.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/limits/limits.hpp"
 #include "jounce/report/report_text.hpp"
 
@@ -93,15 +94,25 @@ inline double least_length(const Finding& f, std::size_t order, const Stretch& s
 struct Words {
   const Labels& labels;
 
-  [[nodiscard]] std::string x(double value) const {
-    return fmt::format("{:.4g} {}", value, labels.units.x);
-  }
+  [[nodiscard]] std::string x(double value) const { return digits(value) + " " + labels.units.x; }
   /// A length, rounded up, so that the limit holds with it.
   [[nodiscard]] std::string at_least(double length) const { return x(rounded_up(length)); }
   [[nodiscard]] std::string of(double value, std::size_t order) const {
+    return with_rate_unit(digits(value), order);
+  }
+  /// A limit, rounded towards 0, so that a number that a user copies keeps it.
+  [[nodiscard]] std::string limit(double value, std::size_t order) const {
+    return with_rate_unit((value < 0 ? "-" : "") + six_digits_down(std::abs(value)), order);
+  }
+  [[nodiscard]] std::string with_rate_unit(const std::string& text, std::size_t order) const {
     const std::string unit =
         rate_unit(labels.units.position, labels.units.x, static_cast<int>(order));
-    return fmt::format("{:.4g}{}{}", value, unit.empty() ? "" : " ", unit);
+    return unit.empty() ? text : text + " " + unit;
+  }
+  /// Four digits; a large number as in the finding: 100000, not 1e+05.
+  static std::string digits(double value) {
+    const std::string text = fmt::format("{:.4g}", value);
+    return text.find('e') == std::string::npos ? text : six_digits(std::stod(text));
   }
   /// Four digits of a positive number.
   static double rounded_up(double value) {

@@ -43,6 +43,11 @@ bool is_queue(const Input& input) {
 
 }  // namespace
 
+bool begins_beyond(const Trajectory& curve, const Finding& f) {
+  const double start = curve.jet(curve.start())[0];
+  return f.value > f.limit ? start > f.limit : start < f.limit;
+}
+
 void join_excursions(const Input& input, Report& report) {
   std::vector<const Finding*> beyond;
   for (const Finding& f : report.findings)
@@ -76,8 +81,9 @@ void name_first_passages(const Input& input, Report& report) {
     const auto worst = std::find_if(report.findings.begin(), report.findings.end(),
                                     [&](const Finding& f) { return f.broken && f.rule == limit; });
     if (worst == report.findings.end()) continue;
-    const std::vector<double> passages =
-        crossings(std::get<Trajectory>(*input.curve), 0, worst->limit);
+    const auto& curve = std::get<Trajectory>(*input.curve);
+    if (begins_beyond(curve, *worst)) continue;
+    const std::vector<double> passages = crossings(curve, 0, worst->limit);
     if (passages.empty()) continue;
     const std::string where = segment_at(input, passages.front());
     const bool elsewhere = is_queue(input) && where != input.labels.segment_of(*worst);

@@ -5,6 +5,9 @@
 
 namespace jounce::design_detail {
 
+/// True if the curve begins beyond the limit of the position that the finding breaks.
+bool begins_beyond(const Trajectory& curve, const Finding& f);
+
 /// Keeps the worst finding of each excursion beyond a limit of the position. An excursion may take
 /// several pieces: it goes on where the curve is beyond the limit at their joint.
 void join_excursions(const Input& input, Report& report);

@@ -73,7 +73,8 @@ template <class Over>
   };
   throw Unresolved(longest.segment, "no table resolves both " + text(longest) + ", and " +
                                         text(shortest) +
-                                        ": shorten the first, or lengthen the second");
+                                        ": correct the velocity, distance or time that is far too "
+                                        "small or too large");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "jounce/profiles/curve/extrema.hpp"
 #include "jounce/profiles/curve/roots.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/sequences/retime.hpp"
 #include "jounce/profiles/vibration/moving_average.hpp"
@@ -32,11 +33,14 @@ using Curves = std::vector<Trajectory>;
 /// after.
 void require_rest_at_ends(const Trajectory& motion) {
   const double peak = std::abs(extrema(motion, 1).peak().value);
-  for (const double v : {motion.jet(motion.start())[1], motion.jet(motion.end(), Side::left)[1]})
+  for (const bool end : {false, true}) {
+    const double v =
+        motion.jet(end ? motion.end() : motion.start(), end ? Side::left : Side::right)[1];
     if (std::abs(v) > rounded_input * peak)
       throw InputError("operator", "",
                        "needs a motion from rest to rest; this one has the velocity " + number(v) +
-                           " at an end");
+                           " at its " + (end ? "end" : "start"));
+  }
 }
 
 template <class Filter>
@@ -52,9 +56,19 @@ void apply(const MovingAverageSpec& s, const Context&, Curves& motions) {
 }
 
 void apply(ShaperSpec s, const Context& context, Curves& motions) {
+  const double given = s.mode.frequency;
   s.mode.frequency *= context.unit;
   const std::vector<Impulse> impulses = shaper(s);
-  each(motions, [&](const Trajectory& f) { return shaped(f, impulses); });
+  each(motions, [&](const Trajectory& f) {
+    try {
+      return shaped(f, impulses);
+    } catch (const InputError& error) {
+      if (!error.key().starts_with("impulse[")) throw;
+      throw InputError("frequency", given,
+                       "is too low: the shaper would take more than 10000 times the length of "
+                       "the motion");
+    }
+  });
 }
 
 void apply(NotchSpec s, const Context& context, Curves& motions) {
@@ -78,7 +92,10 @@ double passage(const Trajectory& running, double position) {
     if (t > running.start()) return t;
   const Jet end = running.jet(running.end(), Side::left);
   if (end[1] * (position - end[0]) > 0) return running.end() + (position - end[0]) / end[1];
-  throw InputError("past", position, "must be a position that the motion passes");
+  const Range range = extrema(running, 0);
+  throw InputError("past", position,
+                   "must be a position that the motion passes after its start, from " +
+                       six_digits(range.min.value) + " to " + six_digits(range.max.value));
 }
 
 Trajectory changed(const Trajectory& running, const ChangeSpec& c) {

@@ -72,8 +72,8 @@ std::string without_acceleration(const PathSpec& path) {
   for (std::size_t i = 0; i < path.limits.axes.size(); ++i)
     if (!path.limits.axes[i].acceleration)
       names += (names.empty() ? "" : ", ") + path.machine.axes[i].name;
-  return "is missing: no axis that moves here has one. Add acceleration to the limits of " + names +
-         ", or to [path.limits]";
+  return "is missing: no axis that moves here has this limit. Add acceleration to the limits of " +
+         names + ", or to [path.limits]";
 }
 
 /// Adds the name and the unit of the axis to an error: to[3] -> to[3] (z).
@@ -83,9 +83,11 @@ InputError named(const InputError& error, const PathSpec& path) {
     return {"acceleration", "", without_acceleration(path)};
   for (std::size_t i = 0; i < machine.axes.size(); ++i) {
     const std::string key = "to[" + std::to_string(i + 1) + "]";
-    if (error.key() == key)
-      return InputError(key + " (" + machine.axes[i].name + ")",
-                        error.value() + " " + machine.axes[i].unit, error.rule());
+    if (error.key() != key) continue;
+    const std::string unit = " " + machine.axes[i].unit;
+    const char last = error.rule().empty() ? ' ' : error.rule().back();
+    return InputError(key + " (" + machine.axes[i].name + ")", error.value() + unit,
+                      error.rule() + (last >= '0' && last <= '9' ? unit : ""));
   }
   return InputError(error.key(), error.value(), error.rule());
 }

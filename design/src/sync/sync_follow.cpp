@@ -32,9 +32,9 @@ Finding beginning(const FollowStart& start, const Spec& spec) {
   f.broken = !t;
   if (!t)
     f.advice = "the master moves from 0 to " + number(spec.master->distance) + " " + spec.units.x +
-               ", and never passes " + number(start.position) + " " + spec.units.x +
+               ", but the slave waits until its master passes this position" +
                (start.direction > 0 ? " forwards" : " backwards") +
-               ": the slave would wait forever. The start position is absolute, not a distance";
+               ". The position is absolute, not a distance: correct it, or [master]";
   return f;
 }
 

@@ -220,16 +220,16 @@ bool possible(const FlyingShear& spec) {
   return broken(shear, cycle, spec.line_speed, spec.cut_length, rounded_sum).empty();
 }
 
-/// Advice: the longest sync for which the stroke is sufficient, if the shear is then possible.
-std::string or_shorter(const Worked& shear, const Cycle& cycle) {
-  FlyingShear spec = shear.spec;
-  const double sync = cycle.sync - (cycle.stroke - *spec.stroke) / shear.ratio;
-  if (longest_sync(spec) || !(sync > 0)) return "";
-  double& shorter = spec.sync_time ? *spec.sync_time : *spec.sync_length;
-  shorter = spec.sync_time ? sync / spec.line_speed : sync;
+/// Advice: the longest sync that stroke and return permit; "" if there is none.
+std::string or_shorter(FlyingShear spec) {
+  if (longest_sync(spec)) return "";
+  const bool in_time = spec.sync_time.has_value();
+  spec.sync_time.reset();
+  spec.sync_length.reset();
   if (!possible(spec)) return "";
-  return (spec.sync_time ? ", or sync_time at most " : ", or sync_length at most ") +
-         six_digits_down(shorter);
+  const double sync = cycle_at(worked(spec), spec.line_speed, spec.cut_length).sync;
+  return in_time ? ", or sync_time at most " + six_digits_down(sync / spec.line_speed)
+                 : ", or sync_length at most " + six_digits_down(sync);
 }
 
 /// Advice: the cut length that a longer stroke needs, if the present one is too short.
@@ -283,10 +283,9 @@ std::string and_longer_cut(FlyingShear spec, double stroke) {
         "stroke", *spec.stroke,
         (longest_sync(spec)
              ? "must be greater than " + six_digits(ramps) + ", the length of run-up and braking,"
-             : "must be at least " + six_digits_up(cycle.stroke) +
-                   ", of which run-up and braking take " + six_digits(ramps) + ",") +
+             : "must be at least " + six_digits_up(cycle.stroke)) +
             at_this_speed(spec) + (longest_sync(spec) ? "" : and_longer_cut(spec, cycle.stroke)) +
-            or_slower(spec, "stroke") + or_shorter(shear, cycle));
+            or_shorter(spec) + or_slower(spec, "stroke"));
   }
   if (!std::isfinite(cycle.back.value))
     throw InputError("return_law", name(spec.return_law),

@@ -178,7 +178,8 @@ class Inspection {
     f.broken = !alternates;
     if (alternates) f.severity = Severity::warning;
     f.advice = "the first pass ends at the ratio " + six_digits(ratio) +
-               ", and the third pass ends at the ratio " + six_digits(later) +
+               ", the second pass at the ratio " + six_digits(again.back().end) +
+               ", the third pass at the ratio " + six_digits(later) +
                ": end the table with the ratio with which it begins";
     add(std::move(f));
   }
@@ -216,6 +217,7 @@ class Inspection {
       if (pass.table == i) break;
     }
     const bool of_master = missing.master != 0;
+    const bool too_far = missing.master < 0 || missing.slave < 0;
     Finding f = finding("follow/end", segment - 1, last.x, of_master ? last.x : last.position);
     f.quantity = of_master ? "the master's travel" : "the slave's travel";
     f.limit = of_master ? table.end->master : table.end->slave;
@@ -224,9 +226,10 @@ class Inspection {
     f.advice = "the segments end at master " + six_digits(table.segments.back().x) + ", slave " +
                six_digits(table.segments.back().position) +
                ", but the spec gives the end as master " + six_digits(table.end->master) +
-               ", slave " + six_digits(table.end->slave) + ": master " +
-               six_digits(missing.master) + " and slave " + six_digits(missing.slave) +
-               " are missing" + as_segment(table, missing);
+               ", slave " + six_digits(table.end->slave) + ": " +
+               (too_far ? "the difference is master " : "master ") + six_digits(missing.master) +
+               (too_far ? ", slave " : " and slave ") + six_digits(missing.slave) +
+               (too_far ? "" : " are missing" + as_segment(table, missing));
     return f;
   }
 

@@ -180,8 +180,10 @@ SyncCam sync_cam(const GearInPos& gear, double from, double to) {
     throw InputError("master_start", from,
                      "is past " + six_digits(first) +
                          ", the start of the engagement (master_sync_position minus "
-                         "master_start_distance): begin there, or shorten the start distance to " +
-                         six_digits_down(std::abs(last - from)));
+                         "master_start_distance): begin there" +
+                         (last > from ? ", or give master_start_distance at most " +
+                                            six_digits_down(last - from)
+                                      : ", or give a later master_sync_position"));
   if (!(to >= last))
     throw InputError("master_end", to,
                      "must not be before the end of the engagement, " + six_digits(last));

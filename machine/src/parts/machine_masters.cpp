@@ -131,7 +131,7 @@ Follow add_machine_master(const MachineMasterSpec& spec, const Document& documen
                           const MachineOptions& options, MachineParts& parts) {
   if (axis_named(spec.name, parts) != nullptr)
     throw document.located(
-        InputError(spec.key, spec.name, "is also the name of an axis of this machine"));
+        InputError(spec.key, spec.name, "is also the name of an axis of this machine: rename one"));
   try {
     return std::visit([&](const auto& what) { return make(what, spec, options, parts); },
                       spec.what);

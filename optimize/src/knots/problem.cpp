@@ -108,7 +108,7 @@ void require_bound(const CamProblem& problem, const FreeKnot& free, Quantity qua
   require_finite((key + ".upper").c_str(), bound->upper);
   const std::string interval = "[" + number(bound->lower) + ", " + number(bound->upper) + "]";
   if (bound->lower > bound->upper)
-    throw InputError(key, interval, "must be [lower, upper], in this order");
+    throw InputError(key, interval, "must be [least, greatest], in this order");
   if (given < bound->lower || given > bound->upper)
     throw InputError(key, interval, "must contain the given value, " + number(given));
   if (quantity == Quantity::master && (free.knot == 0 || free.knot == problem.cam.segments.size()))

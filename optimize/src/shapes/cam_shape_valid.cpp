@@ -97,7 +97,7 @@ void require_knots(const CamShapeProblem& problem) {
                                       {".geo_acceleration", free.geo_acceleration}})
       if (bound && !(bound->lower <= bound->upper))
         throw InputError(key + name, number(bound->lower) + " to " + number(bound->upper),
-                         "must be [lower, upper], in this order");
+                         "must be [least, greatest], in this order");
   }
 }
 

@@ -117,7 +117,7 @@ class Overlapping {
     for (const PathPiece& p : route_.path.pieces())
       if (p.kind != PieceKind::line)
         throw InputError("overlap", "",
-                         "is possible between lines only, and this command is not a line")
+                         "is possible between lines only, and this command is not a line: leave out overlap")
             .at({}, p.line);
   }
 

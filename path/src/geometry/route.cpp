@@ -206,7 +206,7 @@ Route route_of(const Program& program) {
     joints.push_back({});
   }
   if (pieces.empty())
-    throw InputError("program", 0.0, "covers no distance; it needs a line or an arc")
+    throw InputError("program", "", "covers no distance: add a line or an arc to another position")
         .at({}, program.commands().empty() ? 0 : program.commands().front().line);
   joints.back().rests = true;
   return {Path(n, std::move(pieces), std::move(numbers)), std::move(joints), std::move(empty)};

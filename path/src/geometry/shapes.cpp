@@ -178,7 +178,7 @@ PathCurve ellipse(const Point& from, const Point& center, const Point& to, Plane
   if (plane.first >= measured || plane.second >= measured || plane.first == plane.second ||
       measured > axes || axes > max_axes)
     throw InputError("plane", std::to_string(plane.first) + ", " + std::to_string(plane.second),
-                     "must be two different axes of the group that are not followers");
+                     "must be two different axes of the path that are not followers");
   if (options.extra_turns < 0)
     throw InputError("turns", std::to_string(options.extra_turns), "must not be negative");
   const double angle = degrees * (std::numbers::pi / 180);

@@ -36,7 +36,7 @@ std::string numbers_of(const Bounds& b) {
   add("acceleration", b.acceleration_min, b.acceleration_max);
   add("jerk", b.jerk_min, b.jerk_max);
   add("position", b.position_min, b.position_max);
-  return text.empty() ? "none of them is limited" : text;
+  return text;
 }
 
 /// The velocity from which the acceleration increases from 0 to that of the target with the
@@ -72,8 +72,17 @@ std::string explain(MoveStatus status, const MotionState& from, const MotionStat
   switch (status) {
     case MoveStatus::not_finite:
       return with(sentence, "start " + numbers_of(from) + "; target " + numbers_of(to));
-    case MoveStatus::invalid_bounds:
-      return with(sentence, numbers_of(bounds));
+    case MoveStatus::invalid_bounds: {
+      const std::string numbers = numbers_of(bounds);
+      const auto is_free = [](double min, double max) {
+        return std::isinf(min) && std::isinf(max);
+      };
+      const bool no_rate = is_free(bounds.velocity_min, bounds.velocity_max) &&
+                           is_free(bounds.acceleration_min, bounds.acceleration_max) &&
+                           is_free(bounds.jerk_min, bounds.jerk_max);
+      return no_rate ? "give at least one of velocity, acceleration and jerk"
+                     : with(sentence, numbers);
+    }
     case MoveStatus::target_outside: {
       const std::string velocity =
           outside("velocity", to.velocity, bounds.velocity_min, bounds.velocity_max);

@@ -244,7 +244,7 @@ QueuedMotion Planner::finish() && {
   if (path_.size() == 0)
     throw InputError("commands", "",
                      "must move or dwell: there is no motion. A halt or stop before the first "
-                     "motion ends the queue");
+                     "motion ends the queue: issue it later");
   const MotionState end = path_.state();
   const bool rests = start_.velocity == 0 && start_.acceleration == 0 && end.velocity == 0;
   Trajectory trajectory(std::move(path_).segments(), 0,

@@ -135,7 +135,9 @@ Trajectory spliced(const Trajectory& running, double t, std::span<const Profile>
     const Trajectory curve = profile.curve();
     result = result ? concatenated(*result, curve) : shifted(curve, t);
   }
-  if (!result) throw InputError("t", t, "there is no motion before or after this time");
+  if (!result)
+    throw InputError("t", t,
+                     "leaves no motion: nothing moves before this time, nor after the change");
   return with_end(*result);
 }
 

@@ -41,13 +41,12 @@ void require_window(double window, double length) {
   require_positive("window", window);
   if (window < shortest_window * length)
     throw InputError("window", window,
-                     "must be at least 1e-5 of the curve's length, " +
-                         six_digits_up(shortest_window * length) +
-                         ": rounding dominates a shorter one");
+                     "must be at least " + six_digits_up(shortest_window * length) +
+                         ", 1e-5 of the curve's length: rounding dominates a shorter one");
   if (window > longest_window * length)
     throw InputError("window", window,
-                     "must not be more than 10000 times the curve's length, " +
-                         six_digits_down(longest_window * length));
+                     "must be at most " + six_digits_down(longest_window * length) +
+                         ", 10000 times the curve's length");
 }
 
 /// The average (1) at the right end of the window f.

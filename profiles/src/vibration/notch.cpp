@@ -141,7 +141,10 @@ double travel_of(const Trajectory& f, const Filter& filter) {
   double steps = 0;
   for (const Segment& piece : f.segments()) steps += filter.steps(piece);
   if (steps > 1e6)
-    throw InputError("frequency", "", "and the motion's length need more than a million steps");
+    throw InputError(
+        "frequency", "",
+        "is so high for this length of the motion that the filter needs more than a million "
+        "steps: lower it, or shorten the motion");
   const Range range = extrema(f, 0);
   if (!(range.max.value > range.min.value)) throw InputError("motion", "", "does not move");
   return range.max.value - range.min.value;

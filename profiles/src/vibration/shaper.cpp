@@ -7,6 +7,7 @@
 #include <string>
 
 #include "jounce/profiles/curve/between.hpp"
+#include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
 #include "jounce/profiles/error.hpp"
 
@@ -102,9 +103,9 @@ Trajectory shaped(const Trajectory& f, std::span<const Impulse> impulses) {
   require_resting_ends(f);
   const double last = impulses.back().time;
   if (last > longest_shaper * f.length())
-    throw InputError(
-        "impulse[" + std::to_string(impulses.size()) + "].time", last,
-        "must not be more than 10000 times the motion's length, " + number(f.length()));
+    throw InputError("impulse[" + std::to_string(impulses.size()) + "].time", last,
+                     "must be at most " + six_digits_down(longest_shaper * f.length()) +
+                         ", 10000 times the motion's length");
   // subtracted, so that a distant origin costs no digits
   const double origin = value(f.segments().front(), 0);
   const Trajectory from_origin = shifted(f, -f.start(), -origin);

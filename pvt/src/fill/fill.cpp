@@ -260,7 +260,7 @@ void preserve_shape(const FillSpec& spec, const Pieces& pieces, const Given& giv
   const pvt_detail::Corridor way = pvt_detail::corridor(std::move(gaps), demand);
   pvt_detail::follow(way, demand, v);
   for (const std::size_t i : way.closed)
-    add(report, spec, "fill/convex", i, v[i], pieces.chord[i], false, "add a knot in this piece");
+    add(report, spec, "fill/convex", i, v[i], pieces.chord[i], false, "add a knot there");
   if (any_given(given)) report_turning_back(spec, pieces, v, report);
 }
 

@@ -266,7 +266,8 @@ NamedCam applied(TomlReader& then, const NamedCam& f, Units& units) {
     return made;
   } catch (const InputError& error) {
     if (!error.document().empty()) throw;
-    const std::string key = then.has(error.key().c_str()) ? error.key() : "operator";
+    const char* const own = error.key().c_str();
+    const std::string key = then.has(own) || then.is_faulty(own) ? error.key() : "operator";
     then.fail(key.c_str(),
               key == "operator" ? std::string("\"") + chosen.name + '"' : error.value(),
               (key == "operator" ? error.key() + " = " + error.value() + " " : "") + error.rule());

@@ -32,7 +32,7 @@ void read_follower(TomlReader& table, const Units& units, DiscPart& disc) {
         "must be a length (mm) for a translating follower, or an angle for an oscillating one");
   if (!angle && !converts(units.position, "mm"))
     throw InputError("units.position", '"' + units.position + '"',
-                     "must be a length (mm), or the angle of an arm, for a cam with [disc]");
+                     "must be a length (mm), or the angle of an arm, for a disc cam");
   disc.length = angle ? "mm" : units.position;
   if (g.follower == Follower::translating) {
     g.offset = table.optional_number("offset", disc.length).value_or(0);
@@ -62,7 +62,7 @@ void read_disc_limits(TomlReader& table, DiscPart& disc) {
 DiscPart read_disc_geometry(TomlReader& table, const Units& units) {
   if (!converts(units.x, "rad"))
     throw InputError("units.master", '"' + units.x + '"',
-                     "must be an angle (deg, rad, rev) for a cam with [disc]");
+                     "must be an angle (deg, rad, rev) for a disc cam");
   DiscPart disc;
   disc.geometry.angle = conversion(units.x, "rad");
   read_follower(table, units, disc);

@@ -77,6 +77,8 @@ auto with_place(TomlReader& drawing, Make make) {
   try {
     return make();
   } catch (const InputError& error) {
+    if (error.key() == "profile")  // no key of the spec
+      drawing.fail("origin", "", "the plate " + error.rule());
     drawing.fail(error.key().c_str(), error.value(), error.rule());
   }
 }

@@ -47,7 +47,7 @@ InputError must_reverse(const GearInPosSpec& spec, GearInPosStatus status) {
   const bool forward = spec.numerator > 0;  // the denominator is
   const std::string remedy =
       window.exists
-          ? "use " + six_digits_up(window.least) + " to " + six_digits_down(window.greatest)
+          ? "use master_start_distance from " + six_digits_up(window.least) + " to " + six_digits_down(window.greatest)
           : std::string("slave_start must be ") + (forward ? "below" : "above") +
                 " slave_sync_position = " + number(spec.slave_sync_position);
   return {"master_start_distance", spec.master_start_distance,

@@ -104,6 +104,8 @@ FollowWhom read_leader(TomlReader& table) {
     table.fail("axis", "", "cannot be combined with master: an axis follows one of the two");
   table.may_have("axis");
   table.may_have("master");
+  if (!table.has("axis") && !table.has("master") && !table.is_faulty("axis"))
+    table.fail("axis", "", "is missing: add axis = \"NAME\", or master = \"NAME\"");
   if (table.has("master")) {
     whom.master = table.text("master");
   } else {

@@ -17,6 +17,7 @@ static_assert(static_cast<int>(Sync::phase) == 2 && static_cast<int>(Sync::phase
 /// Checks the name of an axis, which becomes part of file names.
 std::string read_name(TomlReader& axis, std::set<std::string>& taken) {
   std::string name = axis.text("name");
+  if (!axis.is_text("name")) return name;  // a placeholder: the reader has reported the error
   const bool fits = !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
            c == '-';

@@ -441,7 +441,7 @@ std::optional<std::pair<double, double>> TomlReader::optional_pair(const char* k
   return optional_or_else(key, std::pair{0.0, 1.0}, [&](const toml::node& node) {
     const toml::array* array = node.as_array();
     if (array == nullptr || array->size() != 2)
-      fail(key, shown(node), std::string("must be two numbers: ") + key + " = [lower, upper]");
+      fail(key, shown(node), std::string("must be two numbers: ") + key + " = [least, greatest]");
     return std::pair{read_number(*array->get(0), path(key), unit),
                      read_number(*array->get(1), path(key), unit)};
   });
@@ -546,6 +546,7 @@ void TomlReader::finish() {
   const std::vector<std::string> known(known_.begin(), known_.end());
   for (const auto& [key, node] : *table_) {
     if (known_.contains(std::string(key.str()))) continue;
+    if (is_faulty(std::string(key.str()).c_str())) continue;  // has an error of its own
     if (const std::string hint = nearest(key.str(), known); !hint.empty()) {
       if (errors_ != nullptr && !has(hint.c_str())) errors_->misspelled(path(hint));
       report(unknown(key, node, "here: did you mean " + bracketed(node, path(hint), hint) + "?"));

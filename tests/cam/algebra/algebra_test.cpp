@@ -253,9 +253,10 @@ TEST(Superimposed, NamesWhatHasNoPeriod) {
   EXPECT_EQ(complaint([&] { return superimposed(f, rise_and_return(Law::poly345, 100 * pi, 1)); }),
             "period = 360 and 314.1592653589793: have no common period within 1000 turns: choose a "
             "ratio of whole numbers, or cut out a part with `part`");
-  EXPECT_EQ(complaint([&] { return superimposed(f, with(f, Extrapolation::hold)); }),
-            "period = 360: belongs to one of the cams only: the sum with a cam that holds is not "
-            "periodic; cut out a part with `part`");
+  EXPECT_EQ(
+      complaint([&] { return superimposed(f, with(f, Extrapolation::hold)); }),
+      "period = 360: belongs to one of the two cams only; the other holds, so the sum does not "
+      "repeat: cut one period out of the repeating cam with operator = \"part\"");
 }
 
 /// A Fourier cam of three harmonics.

@@ -272,8 +272,8 @@ TEST(Design, NamesWhatContradictsItself) {
       "`dwell` has no acceleration: use a law from rest to rest");
 
   spec.segments = {{Law::harmonic_combination, {100, 50, {}, -0.001}}};
-  EXPECT_EQ(complaint(spec).substr(0, 66),
-            "segment[1].end.geo_acceleration = -0.001: must be beyond -0.012337")
+  EXPECT_EQ(complaint(spec).substr(0, 69),
+            "segment[1].end.geo_acceleration = -0.001: must be less than -0.012337")
       << "pi^2 / 4 of stroke / length^2";
 
   spec.segments = {{Law::double_harmonic, {100, 50, {}, -0.001}}};
