@@ -245,8 +245,6 @@ bool is_one_file(const std::string& a, const std::string& b) {
 void require_text(const std::string& path, const std::string& bytes, Archive archive) {
   const auto fail_with = [&](const char* rule) { throw InputError("", "", rule).at(path, 1); };
   if (bytes.starts_with("\x1F\x8B")) fail_with("is compressed by gzip: unpack it first (gunzip)");
-  if (bytes.starts_with("\x93NUMPY"))
-    fail_with("is an array of NumPy, which Jounce writes but does not read: save it as CSV");
   if (bytes.starts_with("\xD0\xCF\x11\xE0"))
     fail_with("is a file of an old Office program: save its table as .xlsx or as CSV");
   if (bytes.starts_with("PK\x03\x04") && archive == Archive::rejected)
