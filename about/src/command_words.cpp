@@ -13,6 +13,7 @@ namespace jounce {
 namespace {
 
 InputError empty_argument(const std::vector<std::string>& words, std::size_t i) {
+  if (i == 0) return {"VERB", "", "is empty: write a verb, such as `jounce check`"};
   const bool named = i > 0 && looks_like_option(words[i - 1]);
   return {named ? words[i - 1] : "argument " + std::to_string(i) + " of " + words.front(), "",
           "is empty: write a value"};
@@ -82,16 +83,24 @@ Options with_dependents(const Options& options, const Options& given) {
   return all;
 }
 
+/// Those of the given options that exclude this one.
+Options excluded_by(const OptionInfo& one, const Options& given) {
+  Options all;
+  for (const OptionInfo* const other : given)
+    if (is_among(*other, one.excludes)) all.push_back(other);
+  return all;
+}
+
 /// The error of options that exclude each other; "" for none.
 std::string excluding_options(const Options& given) {
-  for (const OptionInfo* const one : given) {
-    Options excluded;
-    for (const OptionInfo* const other : given)
-      if (is_among(*other, one->excludes)) excluded.push_back(other);
+  for (const OptionInfo* const option : given) {
+    const Options excluded = excluded_by(*option, given);
     if (excluded.empty()) continue;
-    const Options first = with_dependents({one}, given);
+    const Options alike =
+        excluded.size() == 1 ? excluded_by(*excluded.front(), given) : Options{option};
+    const Options first = with_dependents(alike, given);
     const Options second = with_dependents(excluded, given);
-    return listed({one}) + " cannot be combined with " + listed(excluded) + ": " +
+    return listed(alike) + " cannot be combined with " + listed(excluded) + ": " +
            (first.size() + second.size() == 2
                 ? "give one of the two"
                 : "leave out " + listed(first) + ", or leave out " + listed(second));
@@ -207,8 +216,18 @@ std::vector<std::string> meant_words(std::span<const char* const> given) {
 std::string wrong_verb(std::span<const char* const> given, const std::vector<std::string>& verbs) {
   const std::string word = given.empty() ? "" : given.front();
   if (word.empty()) return "the verb is missing";
-  if (word[0] == '-' || std::find(verbs.begin(), verbs.end(), word) != verbs.end()) return "";
-  return "`" + word + "` is not a verb" + did_you_mean(nearest(word, verbs));
+  if (contains(verbs, word)) return "";
+  if (word[0] == '-') {
+    const auto verb = std::find_if(given.begin() + 1, given.end(),
+                                   [&](const char* each) { return contains(verbs, each); });
+    return verb == given.end() ? ""
+                               : "`" + word + "` stands before the verb: write `jounce " +
+                                     std::string(*verb) + "` first, then its options";
+  }
+  const bool is_file = word.find_first_of("./") != std::string::npos;
+  return "`" + word + "` is not a verb" +
+         (is_file ? ": write the verb first, such as `jounce check " + word + "`"
+                  : did_you_mean(nearest(word, verbs)));
 }
 
 std::string wrong_option(std::span<const char* const> given,

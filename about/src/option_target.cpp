@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/about/option_target.hpp"
 
+#include <cctype>
+#include <limits>
 #include <type_traits>
 
 #include <fmt/format.h>
@@ -16,11 +18,18 @@ std::string put_word(const std::string& word, Target& target) {
     target = word;
     return "";
   } else {
-    if (std::is_unsigned_v<Target> && word.starts_with('-'))
-      return "must be a number of at least 0";
     const auto number = number_in<Target>(word);
     if (number) target = *number;
-    return number ? "" : "must be a number";
+    if (number) return "";
+    using Range = std::numeric_limits<Target>;
+    if (std::is_integral_v<Target> && sizeof(Target) <= 4)
+      return fmt::format("must be a whole number from {} to {}", Range::min(), Range::max());
+    if (std::is_integral_v<Target>)
+      return fmt::format("must be a whole number of at least {}", Range::min());
+    const bool has_unit = word.find_first_of("0123456789") == word.find_first_not_of("+-.") &&
+                          std::isalpha(static_cast<unsigned char>(word.back())) != 0;
+    if (word.find(',') != std::string::npos) return "must be a number with a decimal point";
+    return has_unit ? "must be a number without a unit" : "must be a number";
   }
 }
 

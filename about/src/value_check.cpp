@@ -93,8 +93,8 @@ ValueCheck ends_in(std::vector<std::string> endings) {
     const std::string ending = std::filesystem::path(file).extension();
     const bool known = std::find(endings.begin(), endings.end(), ending) != endings.end();
     if (known || ending.empty() || endings.empty()) return "";
-    return fmt::format("must end in {}{}", endings.size() > 1 ? "one of " : "",
-                       fmt::join(endings, ", "));
+    return fmt::format("must end in {}{}{}", fmt::join(endings.begin(), endings.end() - 1, ", "),
+                       endings.size() > 1 ? " or " : "", endings.back());
   };
 }
 
@@ -106,6 +106,8 @@ ValueCheck output_file(std::vector<std::string> endings) {
     if (fs::is_directory(file, none)) return "is a folder: name a file in it";
     const fs::path folder = fs::path(file).parent_path();
     if (folder.empty() || fs::is_directory(folder, none)) return ends(file);
+    if (fs::exists(folder, none))
+      return "cannot be written, because " + folder.string() + " is a file: name a folder there";
     return "cannot be written, because the folder " + folder.string() +
            " does not exist: make it first";
   };
@@ -115,6 +117,7 @@ ValueCheck output_folder() {
   return [](const std::string& folder) -> std::string {
     namespace fs = std::filesystem;
     std::error_code none;  // an error counts as no file
+    if (folder == "-") return "must be a folder, not standard output";
     for (fs::path at = folder; !at.empty(); at = at.parent_path()) {
       const bool exists = fs::exists(at, none);
       if (exists && !fs::is_directory(at, none))

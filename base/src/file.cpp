@@ -2,6 +2,7 @@
 #include "jounce/base/file.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
@@ -32,7 +33,7 @@ void write_all(int handle, const Output& file) {
   for (std::size_t done = 0; done < file.bytes.size();) {
     const ssize_t written = write(handle, file.bytes.data() + done, file.bytes.size() - done);
     if (written < 0 && errno == EINTR) continue;
-    if (written < 0) fail("cannot write " + file.path);
+    if (written < 0) fail("cannot write " + (file.path == "-" ? "to standard output" : file.path));
     done += static_cast<std::size_t>(written);
   }
 }
@@ -147,9 +148,11 @@ void write_directly(const Output& file) {
 /// True if both names lead to one file.
 bool is_same(const std::string& a, const std::string& b) {
   std::error_code error;
-  const auto one = std::filesystem::weakly_canonical(a, error);
+  if (a == "-" || b == "-") return a == b;
+  // A relative name whose first folder does not exist would stay relative.
+  const auto one = std::filesystem::weakly_canonical(std::filesystem::absolute(a, error), error);
   if (error) return a == b;
-  const auto other = std::filesystem::weakly_canonical(b, error);
+  const auto other = std::filesystem::weakly_canonical(std::filesystem::absolute(b, error), error);
   return error ? a == b : one == other;
 }
 
@@ -165,6 +168,7 @@ namespace {
 constexpr std::size_t most_of_device = std::size_t{1} << 28;  ///< bytes; it may have no end
 
 [[noreturn]] void fail_to_read(const std::string& path, int cause) {
+  if (cause == EISDIR) throw InputError("", "", "is a folder: name a file").at(path);
   throw InputError("", "", "cannot be read: " + std::generic_category().message(cause)).at(path);
 }
 
@@ -206,8 +210,18 @@ Handle opened(const std::string& path) {
   return file;
 }
 
+/// The bytes of standard input. The second call gets none, unless the stream has been exchanged.
+std::string standard_input() {
+  static std::atomic<bool> was_read = false;
+  std::string bytes{std::istreambuf_iterator<char>(std::cin), {}};
+  if (was_read.exchange(!bytes.empty()) && bytes.empty())
+    throw InputError("", "", "is named twice, and can be read once: name a file for one of the two")
+        .at("standard input");
+  return bytes;
+}
+
 std::string read_bytes(const std::string& path) {
-  if (path == "-") return {std::istreambuf_iterator<char>(std::cin), {}};
+  if (path == "-") return standard_input();
   const Handle file = opened(path);
   std::string bytes;
   std::vector<char> chunk(1 << 16);
@@ -266,8 +280,8 @@ std::FILE* text_stream(bool json, std::initializer_list<std::string> files) {
   const bool taken = std::find(files.begin(), files.end(), "-") != files.end();
   if (json && taken)
     throw InputError("--json", "",
-                     "writes to standard output, and so does the output -: give a file for the "
-                     "output (-o FILE), or leave out --json");
+                     "writes to standard output, and so does the output: name a file for the "
+                     "output, or leave out --json");
   return taken ? stderr : stdout;
 }
 
@@ -286,10 +300,11 @@ void write_files(const std::vector<Output>& files, const std::vector<std::string
   for (std::size_t i = 0; i < files.size(); ++i)
     for (std::size_t k = 0; k < i; ++k)
       if (is_same(files[i].path, files[k].path))
-        throw InputError("output", files[i].path,
-                         files[i].path == "-"
-                             ? "is standard output, for two outputs: give a file for one of them"
-                             : "is the name of two outputs: give each its own name");
+        throw InputError(
+            "", "",
+            files[i].path == "-"
+                ? "two outputs go to standard output: name a file for one of them"
+                : "two outputs have the name " + files[i].path + ": give each its own name");
   std::vector<Temporary> written;
   for (const Output& file : files)
     if (file.path != "-" && !is_special(file.path)) {

@@ -24,11 +24,19 @@ std::size_t distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
+/// Letters of another case do not count.
+std::string lower(std::string_view text) {
+  std::string all(text);
+  std::transform(all.begin(), all.end(), all.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  return all;
+}
+
 /// The only candidate that begins with the word, or "".
 std::string begun_by(std::string_view word, std::span<const std::string> candidates) {
   constexpr std::size_t telling = 3;  // letters that make it likely
   if (word.size() < telling) return "";
-  const auto begins = [&](const std::string& one) { return one.starts_with(word); };
+  const auto begins = [&](const std::string& one) { return lower(one).starts_with(word); };
   const auto found = std::find_if(candidates.begin(), candidates.end(), begins);
   if (found == candidates.end() || std::count_if(found, candidates.end(), begins) > 1) return "";
   return *found;
@@ -36,11 +44,13 @@ std::string begun_by(std::string_view word, std::span<const std::string> candida
 
 }  // namespace
 
-std::string nearest(std::string_view word, std::span<const std::string> candidates) {
+std::string nearest(std::string_view given, std::span<const std::string> candidates) {
+  const std::string word = lower(given);
   if (const std::string begun = begun_by(word, candidates); !begun.empty()) return begun;
   std::string best;
   std::size_t least = 3;
-  for (const auto& candidate : candidates) {
+  for (const auto& one : candidates) {
+    const std::string candidate = lower(one);
     const std::size_t d = distance(word, candidate);
     // If the first letter and another one differ, the word must lack a letter: "fase" means "phase", but
     // "deceleration" does not mean "acceleration".
@@ -53,7 +63,7 @@ std::string nearest(std::string_view word, std::span<const std::string> candidat
         !std::is_permutation(word.begin(), word.end(), candidate.begin(), candidate.end());
     if (d < least && d < candidate.size() && !other && !changed) {
       least = d;
-      best = candidate;
+      best = one;
     }
   }
   return best;

@@ -172,7 +172,8 @@ double quantity(std::string_view text, std::string_view unit) {
             (unit.empty() || unit == "1" ? std::string()
                                          : ", such as \"12.5 " + std::string(unit) + '"'));
   if (given.empty()) return *value;
-  if (const std::size_t comma = text.find(','); comma != std::string_view::npos) {
+  if (const std::size_t comma = text.find(',');
+      comma < text.size() - 1 && text[comma + 1] >= '0' && text[comma + 1] <= '9') {
     std::string with_point(text);
     with_point[comma] = '.';
     throw InputError("", shown, "has a decimal comma: write a point, \"" + with_point + '"');

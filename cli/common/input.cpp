@@ -50,7 +50,7 @@ Input load(const std::string& path, const std::string& axis, bool decimal_comma)
 
 Input load_beside(const std::string& path, const Input& input, const std::string& machine) {
   std::vector<Input> all = read_program(path, machine);
-  require_one_kind(all.front(), input, path, input.name);
+  require_one_kind(all.front(), input, path, input.files.front());
   if (all.size() > 1) all = axis_of(std::move(all), path, input.axis);
   return only_one(std::move(all), path);
 }

@@ -48,7 +48,7 @@ double magnitude_of(const char* option, const std::string& text, const std::stri
 LineMaster line_of(const MasterArguments& options) {
   auto motion = line_motion(load(options.file, options.axis));
   if (!motion)
-    throw InputError("FILE", options.file, "must be over time: a master is a function of time");
+    throw InputError("FILE", options.file, "must be over time: give a motion, not a cam");
   const std::string unit = motion->units.position;
   return {.name = options.name,
           .motion = std::move(*motion),

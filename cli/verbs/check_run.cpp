@@ -91,10 +91,17 @@ int check_files(const std::string& verb, const CheckRun& run, const Examine& exa
 }
 
 void require_one_file(const CheckRun& run, const char* option, const std::string& value) {
-  if (!value.empty() && !run.is_one_answer())
-    throw InputError(option, value,
-                     "applies to a single file with a motion, as text or --json: give one file, "
-                     "without --quiet and --baseline");
+  if (value.empty() || run.is_one_answer()) return;
+  const std::string other = run.format != "text"    ? "--format"
+                            : run.quiet             ? "--quiet"
+                            : !run.baseline.empty() ? "--baseline"
+                                                    : "";
+  throw InputError(option, value,
+                   run.files.size() > 1 || !is_one_file(run.file())
+                       ? "applies to a single file: give one file, or leave it out"
+                   : other.empty()
+                       ? "applies to a motion, but this file has none: leave it out"
+                       : "cannot be combined with " + other + ": leave out one of them");
 }
 
 }  // namespace jounce::cli

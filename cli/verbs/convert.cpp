@@ -58,7 +58,8 @@ int run_convert(const ConvertArguments& options) {
   Conversion wanted;
   const Converted made = with_option_names(
       {"tolerance", "velocity_tolerance", "most", "spacing", "x_step", "p_step", "v_step",
-       "intervals", "format", "master_unit", "position_unit"},
+       "intervals", options.to.empty() ? "" : "format", "master_unit", "position_unit", "rule",
+       "controller"},
       [&] { return converted(input, wanted = conversion_of(options, form, input)); });
   const bool writes = made.keeps() || options.allow_loss;
   const std::string text = with_option_names({"every", "master_unit", "position_unit"}, [&] {
@@ -109,7 +110,8 @@ void add_convert(CommandLine& line) {
   verb.option("IN", options->input, "Table or spec, in any known format; - is standard input")
       .required();
   verb.option("OUT", options->output,
-              "File to write: " + known_endings(true) + "; - is standard output");
+              "File to write: " + known_endings(true) + "; - is standard output")
+      .check(output_file());
   verb.option("--to", options->to,
               "Format, if the extension of OUT does not determine it: " +
                   fmt::format("{}", fmt::join(form_names(), ", ")) +

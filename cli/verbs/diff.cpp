@@ -38,9 +38,10 @@ void draw(const std::string& path, const FileDifference& difference) {
 int run_diff(const DiffArguments& options) {
   std::FILE* const out = text_stream(options.json, {options.output});
   const FileDifference difference = with_option_names({"axis", "tolerance"}, [&] {
+    std::vector<Input> before = read_program(options.before, options.machine);
     return file_difference(
-        read_program(options.before, options.machine), read_program(options.after, options.machine),
-        options.before, options.after,
+        std::move(before), read_program(options.after, options.machine), options.before,
+        options.after,
         [&](const Labels& labels) { return tolerance_of(options.tolerances, labels); },
         options.axis);
   });

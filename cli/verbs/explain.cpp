@@ -48,8 +48,9 @@ void add_explain(CommandLine& line) {
   verb.option("CODE", options->code,
               "Number or name, as in a message, a log or a status; or the rule of a finding")
       .completed_by([] { return message_names(all_messages()); });
-  verb.flag("--markdown", options->markdown, "Print all as a page (docs/reference/messages.md)");
-  verb.flag("--json", options->json, "As JSON");
+  const Option markdown = verb.flag("--markdown", options->markdown,
+                                    "Print all as a page (docs/reference/messages.md)");
+  verb.flag("--json", options->json, "As JSON").excludes({markdown});
   verb.work([options] { return run_explain(*options); });
 }
 

@@ -48,7 +48,8 @@ std::size_t rows_of(const Table& table, const std::string& unit, double step) {
                      "must be at most " + six_digits_down(table.length()) + with_space(unit) +
                          ", the length of the table");
   const double steps = std::ceil(table.length() / step * (1 - rounded_sum));
-  if (!(steps < most_rows)) throw InputError("every", step, "makes more than 100 million rows");
+  if (!(steps < most_rows))
+    throw InputError("every", step, "makes more than 100 million rows: give a greater interval");
   return static_cast<std::size_t>(steps) + 1;
 }
 

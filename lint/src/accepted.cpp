@@ -31,9 +31,11 @@ std::string commit_of(const std::string& revision) {
   if (answer.status != 0 || answer.out.empty())
     throw InputError("--baseline", revision,
                      std::string("is neither a folder nor a revision of git") +
-                         (is_shallow() ? ": this clone is shallow, so it has no other revisions: "
-                                         "fetch the history (fetch-depth: 0)"
-                                       : ": give one of the two, such as HEAD or origin/main"));
+                         (git({"rev-parse", "--git-dir"}).status != 0
+                              ? ", and the current folder is in no repository: name a folder"
+                          : is_shallow() ? ": this clone is shallow, so it has no other revisions: "
+                                           "fetch the history (fetch-depth: 0)"
+                                         : ": give one of the two, such as HEAD or origin/main"));
   return answer.out;
 }
 

@@ -408,7 +408,11 @@ int line_number(const std::string& text, std::size_t at) {
 void require_spec_text(const Document& document) {
   const std::string& text = document.text;
   if (const auto at = text.find('\0'); at != std::string::npos)
-    throw InputError("", "", "is not a text file: it has a zero byte here")
+    throw InputError(
+        "", "",
+        text.starts_with("\x93NUMPY")
+            ? "is an array of NumPy, which Jounce writes but does not read: save it as CSV"
+            : "is not a text file: it has a zero byte here")
         .at(document.name, line_number(text, at));
   if (is_table(text) || exchange_format_of_text(text) != nullptr)
     throw InputError("", "", "is a table, not a spec: give a spec").at(document.name, 1);

@@ -48,6 +48,11 @@ TEST(CommandWords, NameTheNearestVerb) {
   EXPECT_EQ(wrong_verb(Words{"--json"}, verbs), "");
   EXPECT_EQ(wrong_verb(Words{"chek"}, verbs), "`chek` is not a verb: did you mean check?");
   EXPECT_EQ(wrong_verb(Words{"plot"}, verbs), "`plot` is not a verb");
+  EXPECT_EQ(wrong_verb(Words{"CHECK"}, verbs), "`CHECK` is not a verb: did you mean check?");
+  EXPECT_EQ(wrong_verb(Words{"cam.toml"}, verbs),
+            "`cam.toml` is not a verb: write the verb first, such as `jounce check cam.toml`");
+  EXPECT_EQ(wrong_verb(Words{"--json", "check", "cam.toml"}, verbs),
+            "`--json` stands before the verb: write `jounce check` first, then its options");
 }
 
 TEST(CommandWords, NameTheNearestOption) {

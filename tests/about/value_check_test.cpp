@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jounce/about/value_check.hpp"
 
+#include <fstream>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -50,7 +51,7 @@ TEST(ValueCheck, ReadsTheEndingAndTheFolderOfAFile) {
   const ValueCheck picture = checks::ends_in({".svg", ".png"});
   EXPECT_EQ(broken(picture, "a.svg"), "");
   EXPECT_EQ(broken(picture, "-"), "");
-  EXPECT_EQ(broken(picture, "a.pdf"), "must end in one of .svg, .png");
+  EXPECT_EQ(broken(picture, "a.pdf"), "must end in .svg or .png");
   EXPECT_EQ(broken(checks::ends_in({".toml"}), "a.txt"), "must end in .toml");
   const ValueCheck table = checks::output_file({".csv"});
   const test::TemporaryFolder temporary;
@@ -61,6 +62,9 @@ TEST(ValueCheck, ReadsTheEndingAndTheFolderOfAFile) {
   EXPECT_EQ(broken(table, folder), "is a folder: name a file in it");
   EXPECT_EQ(broken(table, "no such folder/a.csv"),
             "cannot be written, because the folder no such folder does not exist: make it first");
+  std::ofstream(folder + "file") << "x";
+  EXPECT_EQ(broken(table, folder + "file/a.csv"),
+            "cannot be written, because " + folder + "file is a file: name a folder there");
 }
 
 TEST(ValueCheck, TakesAWholeTextForANumber) {

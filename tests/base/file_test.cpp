@@ -187,6 +187,10 @@ TEST_F(Files, NoInputIsReplaced) {
               }),
               HasSubstr("is also an input"));
   EXPECT_FALSE(std::filesystem::exists(in("new.csv")));
+  EXPECT_THAT(why([&] {
+                write_files({{"two of one.json", ""}, {"./two of one.json", ""}});
+              }),
+              HasSubstr("two outputs have the name"));
   write_file(in("other.csv"), "made", inputs);
   EXPECT_THAT(why([&] { require_no_input({in("points.csv") + "#Sheet 1"}, in("points.csv")); }),
               HasSubstr("is also an input"));
@@ -208,7 +212,7 @@ TEST_F(Files, StandardOutputTakesOneOutput) {
   EXPECT_THAT(test::error_of([] {
                 (void)text_stream(true, {"a.csv", "-"});
               }),
-              ::testing::StartsWith("--json: writes to standard output, and so does the output -"));
+              ::testing::StartsWith("--json: writes to standard output, and so does the output: "));
 }
 
 TEST_F(Files, NameWhatIsNoText) {

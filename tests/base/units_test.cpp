@@ -58,6 +58,7 @@ TEST(Quantity, ReportsErrorsWithPossibleValues) {
               "must be a finite number, with or without a unit, such as \"12.5 mm\"")
         << text;
   EXPECT_EQ(complaint("1,5 mm", "mm"), "has a decimal comma: write a point, \"1.5 mm\"");
+  EXPECT_EQ(complaint("1,jerk", "mm"), "\",jerk\" is not a known unit; give the value in mm");
 }
 
 TEST(Units, KnowTheInternationalFootAndYard) {

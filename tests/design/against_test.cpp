@@ -317,6 +317,8 @@ TEST_F(Against, TheAxisOfTheSpecCanBeNamed) {
   const std::string table = write("other.csv", table_text("other.csv", read_inputs(spec)[1].table));
   EXPECT_THAT(test::error_of([&] { check(table, {.against = spec}); }),
               HasSubstr("names none of them"));
+  EXPECT_THAT(test::error_of([&] { check(table, {.against = spec, .axis = "z"}); }),
+              HasSubstr("has no axis z: name one of x, y with --axis"));
   EXPECT_TRUE(check(table, {.against = spec, .axis = "y"}).front().ok());
   EXPECT_FALSE(check(table, {.against = spec, .axis = "x"}).front().ok());
 }

@@ -46,7 +46,8 @@ TEST(Axes, OfTwoFilesArePairedByName) {
   EXPECT_EQ(test::rule_of([] {
               paired_axes({named("x"), named("y")}, {named("")}, "a", "b");
             }),
-            "is missing: b has only one axis, without a name. Name the axis to compare");
+            "is missing: b has only one axis, without a name; the other file has x, y. Name the "
+            "axis to compare");
   const auto mixed = paired_axes({named("x"), named("y")}, {named("")}, "a", "b", "y");
   ASSERT_EQ(mixed.size(), 1U);
   EXPECT_EQ(mixed[0].first.axis, "y");

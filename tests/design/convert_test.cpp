@@ -91,9 +91,10 @@ TEST(Convert, ATableOverTimeHasNoFormatOfAController) {
     const ExchangeFormat* to = exchange_format_named(word);
     const auto make = [&] { converted(input, {.rule = rule_of(*to), .format = to}); };
     EXPECT_EQ(test::key_of(make), "format");
-    EXPECT_EQ(test::rule_of(make),
-              "is for cams, over a master; this table is over time: choose ros, xps, zaber, "
-              "galil-pvt, googol-pt, googol-pt-st or hmpl");
+    EXPECT_EQ(
+        test::rule_of(make),
+        "is for cams, over a master; this table is over time: choose the format ros, xps, zaber, "
+        "galil-pvt, googol-pt, googol-pt-st or hmpl");
   }
 }
 

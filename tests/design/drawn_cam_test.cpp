@@ -190,10 +190,10 @@ TEST(DrawnCam, NamesWhatIsWrong) {
             "drawing");
   EXPECT_EQ(test::error_of(
                 [&] { (void)read_drawn_cam(plate, "roller_radius = -7, origin = [100, 80]", {}); }),
-            "drawing.roller_radius = -7 mm: must not be negative");
+            "drawing roller_radius = -7 mm: must not be negative");
   EXPECT_EQ(test::key_of([&] { (void)read_drawn_cam(plate, "roller_radius 7", {}); }), "drawing");
   EXPECT_EQ(test::key_of([&] { (void)read_drawn_cam(plate, "roler_radius = 7", {}); }),
-            "drawing.roler_radius");
+            "drawing roler_radius");
 }
 
 }  // namespace

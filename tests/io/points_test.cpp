@@ -44,7 +44,10 @@ TEST(Points, MayHaveTabsAndWords) {
 
 TEST(Points, NameWhatIsWrongAndWhere) {
   EXPECT_EQ(complaint(""),
-            "p.csv: is empty: a header must name the columns, such as time [s],position [mm]");
+            "p.csv: is empty: a header must name the columns, such as time [s],position [mm] or "
+            "master [deg],slave [mm]");
+  EXPECT_EQ(complaint(std::string("time\nposition\0", 14)),
+            "p.csv:2: is not a text file: it has a zero byte here");
   EXPECT_EQ(complaint("time [s],position [mm]\n"),
             "p.csv:1: has a header but no points: add at least one row");
   EXPECT_EQ(complaint("0,1\n1,2\n"),
@@ -176,7 +179,8 @@ TEST(Points, ConvertOnlyWhatMeasuresTheSame) {
   } catch (const InputError& error) {
     EXPECT_STREQ(
         error.what(),
-        "p.csv:1: column \"velocity\": is missing: the columns of the file are time, position");
+        "p.csv:1: column \"velocity\": is missing: the columns of the file are time, position. "
+        "Rename one, or add the column");
   }
 }
 

@@ -341,14 +341,18 @@ TEST(GroupPosition, APositionOutOfReachNamesTheLastOneInReach) {
                                          {"x=900", "y=250", "z=0"});
               }),
               testing::StartsWith(
-                  "x = 900 mm, y = 250 mm, z = 0 mm: is out of reach of the joints. From the start "
-                  "position of the joints (x = "
-                  "300 mm, y = 250 mm, z = 0 mm), the tool can move toward it as far as x = "
-                  "489.126 mm, y = 250 mm, z = 0 mm"));
+                  "x = 900 mm, y = 250 mm, z = 0 mm: is out of reach of the joints: on the line "
+                  "from the start of the joints, x = 300 mm, y = 250 mm, z = 0 mm, the last "
+                  "position in reach is x = 489.126 mm, y = 250 mm, z = 0 mm"));
   // The remedy works. At sqrt(550^2 - 250^2) = 489.898 mm the arm is straight, beyond the range of a1.
   EXPECT_TRUE(converted_position(JOUNCE_SOURCE_DIR "/examples/scara/machine.toml", "",
                                  {"x=489.126", "y=250", "z=0"})
                   .inside());
+  // The range of a0 is -130 to 130 deg.
+  const auto beyond = converted_position(JOUNCE_SOURCE_DIR "/examples/scara/machine.toml", "",
+                                         {"a0=131", "a1=90", "z_joint=0"});
+  EXPECT_FALSE(beyond.inside());
+  EXPECT_THAT(beyond.text(), testing::HasSubstr("a0 = 131 deg (above position_max, 130 deg)"));
 }
 
 TEST_F(MachineGroups, RejectAKinematicsOfOtherJoints) {

@@ -51,7 +51,7 @@ TEST(CiFormats, TheStatusIsTheWorstLevel) {
 
 TEST(CiFormats, TheSummaryOfAFileWithoutAMotionStatesIt) {
   EXPECT_EQ(summary_line({"check", {{"d.toml", "drive", {}}}}),
-            "1 file: 1 good: its keys are valid; the kind drive has no motion to examine");
+            "1 file: 1 good: its keys are valid; a spec of kind drive has no motion to examine");
   EXPECT_EQ(summary_line({"check", {{"c.toml", "cam", {}}}}), "1 file: 1 good");
   EXPECT_EQ(
       summary_line({"check", {{"c.toml", "cam", {}}}, 3}),

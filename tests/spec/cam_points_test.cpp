@@ -91,7 +91,7 @@ TEST_F(CamPoints, ThatAreWrongNameTheirLine) {
   const std::string empty = complaint(spline, "");
   EXPECT_THAT(empty, testing::StartsWith("spec.toml:6:10: segment[1].points = "));
   EXPECT_THAT(empty, testing::EndsWith("points.csv: is empty: a header must name the columns, such "
-                                       "as time [s],position [mm]"))
+                                       "as time [s],position [mm] or master [deg],slave [mm]"))
       << "the missing end is not another error: it is the last point of the file";
   EXPECT_EQ(complaint(spline, "master,slave,speed\n0,0,1\n360,0,1\n"),
             "points.csv:1: speed: is not a column of this table; possible columns: master, slave, "

@@ -169,6 +169,10 @@ PlateMotion plate_motion(const Contour& profile, const DiscSpec& spec,
                                : spec.center_distance - spec.arm_length * std::polar(1.0, -least);
     based.base_radius = std::abs(center) - spec.roller_radius;
   }
+  if (spec.base_radius == 0 && !(based.base_radius > 0))
+    throw InputError("roller_radius", spec.roller_radius,
+                     "leaves no base circle in this plate: give a smaller radius, or correct the "
+                     "place of the center");
   require_positive("base_radius", based.base_radius);
   const double start = cam_detail::start_of(based, 0);
   PlateMotion motion{std::move(positions), based.base_radius};

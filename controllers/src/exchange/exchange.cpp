@@ -238,7 +238,8 @@ void require_axis(const ExchangeFormat& format, const Table& table) {
   throw InputError(
       "format", format.name,
       table.axis() == Domain::time
-          ? "is for cams, over a master; this table is over time: choose " + time_formats()
+          ? "is for cams, over a master; this table is over time: choose the format " +
+                time_formats()
           : std::string("is for motions over time; this table is a cam: give a spec with "
                         "[master], and convert it with --over time"));
 }

@@ -41,9 +41,14 @@ const Input& partner(const Input& table, const std::vector<Input>& specs, const 
     return table.axis.empty() ? names_axis(table.file, spec.axis) : table.axis == spec.axis;
   });
   if (found != specs.end()) return *found;
+  if (!table.axis.empty())
+    throw InputError("against", path,
+                     "has no axis " + table.axis + ": name one of " + listed(specs, &Input::axis) +
+                         " with --axis");
   throw InputError("against", path,
                    "has the axes " + listed(specs, &Input::axis) + ", and " + table.name +
-                       " names none of them: rename the table, such as " +
+                       " names none of them: name the axis with --axis, or rename the table, "
+                       "such as " +
                        fs::path(table.file).stem().string() + "-" + specs.front().axis +
                        fs::path(table.file).extension().string());
 }
@@ -76,7 +81,8 @@ void require_same_interval(const Table& table, Extrapolation outside, double sta
   if (std::abs(table.start() - start) > allowed || std::abs(table.end() - end) > allowed)
     throw InputError(
         "against", path,
-        fmt::format("the motion is from {0} to {1} {4}, and {5} is from {2} to {3} {4}",
+        fmt::format("the motion is from {0} to {1} {4}, and {5} is from {2} to {3} {4}: give the "
+                    "spec from which the table was made",
                     rounded(start), rounded(end), rounded(table.start()), rounded(table.end()),
                     spec.labels.units.x, name));
   if (repeats(table.outside()) != repeats(outside))
@@ -140,7 +146,9 @@ void set_spec(Input& table, const Input& given, const std::string& path,
   const bool over_its_master = table.labels.over_master || !given.labels.over_master;
   const Input spec = over_its_master ? given : over_time(given);
   if (table.labels.over_master != spec.labels.over_master)
-    throw InputError("against", path, "is over time, and " + table.name + " is over a master");
+    throw InputError("against", path,
+                     "is over time, and " + table.name +
+                         " is over a master: give the spec from which the table was made");
   std::visit(
       [&](const auto& curve) {
         table.table = in_units_of(spec, repeats(curve.outside()), table, path);

@@ -101,8 +101,8 @@ Converted converted(const Input& input, const Conversion& conversion) {
   Converted result{input.table, input.error};
   if (wanted.target && wanted.intervals > 0)
     throw InputError("intervals", std::to_string(wanted.intervals),
-                     "cannot be combined with another requirement for new knots, such as a "
-                     "tolerance or a resolution");
+                     "cannot be combined with a resolution or another requirement for new knots: "
+                     "leave out one of the two");
   if (wanted.rule != input.table.table.rule() || wanted.target || wanted.intervals > 0) {
     Sampled made = design_detail::with_knots(input, wanted);
     result = {{std::move(made.table), input.table.units, input.table.provenance}, made.error};

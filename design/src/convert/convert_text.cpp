@@ -96,9 +96,14 @@ TableForm table_form(const std::string& name, const std::string& path) {
 
 Interpolation rule_for(const TableForm& form, std::optional<Interpolation> wanted,
                        const std::string& controller, const Table& table) {
+  const ControllerTable* const target = controller_table(controller);
+  if (form.format != nullptr && target != nullptr && target->rule != rule_of(*form.format))
+    throw InputError("controller", controller,
+                     std::string("has ") + name(target->rule) + " tables, but the format " +
+                         form.name + " has " + name(rule_of(*form.format)) +
+                         " tables: leave out one of the two");
   if (form.format != nullptr) return rule_of(*form.format);
   if (wanted) return *wanted;
-  const ControllerTable* const target = controller_table(controller);
   return target != nullptr ? target->rule : table.rule();
 }
 

@@ -75,17 +75,22 @@ const Inverse& chosen(const Input& input, const Inversion& all, const std::optio
 }
 
 /// Throws InputError, for an end of the range, if the slave rests there.
+/// `option`: its text; "" if the position is the end of the branch.
 void require_motion_at(const Inverse& branch, double slave, Side side, const char* key,
-                       const std::string& unit) {
+                       const std::string& option, const std::string& unit) {
   if (slave < branch.start() || slave > branch.end())
-    throw InputError(key, slave,
+    throw InputError(key, number(slave) + " " + unit,
                      fmt::format("must lie within the branch, {} to {} {}", rounded(branch.start()),
                                  rounded(branch.end()), unit));
   if (!std::isfinite(branch.at(slave, side).geo_velocity))
-    throw InputError(key, slave,
-                     fmt::format("is where the slave is at rest, so the slope of the inverse is "
-                                 "infinite: give a position between {} and {} {}",
-                                 rounded(branch.start()), rounded(branch.end()), unit));
+    throw InputError(
+        key, option.empty() ? "" : number(slave) + " " + unit,
+        fmt::format("{} where the slave is at rest, so the slope of the inverse is "
+                    "infinite: give a position between {} and {} {}",
+                    option.empty() ? "is missing: the branch " +
+                                         std::string(side == Side::right ? "begins" : "ends")
+                                   : "is",
+                    rounded(branch.start()), rounded(branch.end()), unit));
 }
 
 }  // namespace
@@ -109,8 +114,8 @@ Input inverse_of(const Input& input, const InverseTexts& texts) {
   const double tolerance =
       given("tolerance", texts.tolerance, units.x).value_or(fit_share * cam.length());
   if (!(tolerance > 0)) throw InputError("tolerance", texts.tolerance, "must be greater than 0");
-  require_motion_at(branch, from, Side::right, "from", units.position);
-  require_motion_at(branch, to, Side::left, "to", units.position);
+  require_motion_at(branch, from, Side::right, "from", texts.from, units.position);
+  require_motion_at(branch, to, Side::left, "to", texts.to, units.position);
   if (!(from < to))
     throw InputError("to", number(to) + " " + units.position,
                      "must be greater than --from = " + number(from) + " " + units.position);
@@ -120,7 +125,8 @@ Input inverse_of(const Input& input, const InverseTexts& texts) {
     } catch (const InputError& error) {
       if (error.key() != "tolerance" || texts.tolerance.empty()) throw;
       throw InputError("tolerance", texts.tolerance,
-                       "half of it is for the inverse, and " + error.rule());
+                       "is divided between the inverse and its table: each half, in " + units.x +
+                           ", " + error.rule());
     }
   }();
   Sampled table = design_detail::table_of(
@@ -180,7 +186,7 @@ std::string places_text(const Input& input, const std::string& slave,
                         const std::vector<MasterPlace>& places) {
   if (places.empty()) {
     const Range travel = extrema(cam_in(input), 0);
-    return fmt::format("{}: --slave = {}: the slave does not reach it: it moves from {} to {} {}\n",
+    return fmt::format("{}: --slave = {}: is out of reach: the slave moves from {} to {} {}\n",
                        input.name, slave, rounded(travel.min.value), rounded(travel.max.value),
                        input.labels.units.position);
   }

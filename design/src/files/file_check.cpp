@@ -50,10 +50,10 @@ void set_limit(Limits& limits, const std::string& text, const Labels& labels) {
         "limit", text,
         fmt::format("must be KEY=VALUE with one of the keys {}", fmt::join(known, ", ")));
   const std::string near = nearest(key, known);
-  throw InputError(
-      "limit", text,
-      fmt::format("{} is not a limit here: use one of {}{}", key, fmt::join(known, ", "),
-                  near.empty() ? "" : ": did you mean " + near + "?"));
+  throw InputError("limit", text,
+                   near.empty() ? fmt::format("{} is not a limit here: use one of {}", key,
+                                              fmt::join(known, ", "))
+                                : key + " is not a limit here: did you mean " + near + "?");
 }
 
 /// The order of the derivative over time that a text limits, 1 to 3; 0 for any other text.
@@ -165,10 +165,11 @@ EngageState engage_state(const Input& input, const EngageTexts& texts) {
     if (text.empty()) return;
     if (!input.spec || !input.spec->coupling)
       throw InputError(key, text,
-                       std::string(key) != "master_velocity" ? "needs a spec with [coupling]"
+                       std::string(key) != "master_velocity"
+                           ? "needs a spec with [coupling]: leave it out, or add [coupling]"
                        : input.labels.over_master
-                           ? "needs a spec with [coupling], or a limit over time (--limit "
-                             "velocity, acceleration or jerk)"
+                           ? "needs a spec with [coupling], or a limit over time: leave it out, or "
+                             "add --limit velocity, acceleration or jerk"
                            : "applies to a cam, and this motion is over time: leave it out");
     try {
       value = quantity(text, unit);
@@ -196,8 +197,11 @@ std::vector<Report> check_reports(std::vector<Input>& axes, const CheckOptions& 
   std::vector<Report> reports;
   for (Input& input : axes) {
     std::vector<std::string> own, over_time;
-    for (const std::string& text : options.limits)
+    for (const std::string& text : options.limits) {
+      if (std::count(text.begin(), text.end(), '=') > 1)
+        throw InputError("limit", text, "contains two limits: give each with its own --limit");
       (input.labels.over_master && order_over_time(text) > 0 ? over_time : own).push_back(text);
+    }
     set_limits(input.limits, own, input.labels);
     EngageTexts start = options.start;
     const bool has_coupling = input.spec && input.spec->coupling;

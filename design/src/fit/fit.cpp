@@ -180,7 +180,7 @@ void require_tolerance_below_travel(const Measurement& m) {
   for (const SplinePoint& p : points)
     if (travel > 0 && p.tolerance > travel)
       throw InputError("tolerance", number(p.tolerance) + " " + m.units.position,
-                       "must be at most the travel of the slave, " + number(travel) + " " +
+                       "must be at most the travel of the slave, " + rounded(travel) + " " +
                            m.units.position + ": with more, a dwell fits all points");
 }
 
@@ -206,7 +206,8 @@ void close(Measurement& m, const std::string& text) {
 
 Measurement from_text(const std::string& text, const std::string& path, const FitOptions& options) {
   if (!options.drawing.empty())
-    throw InputError("drawing", options.drawing, "applies to a drawing, .dxf or .svg");
+    throw InputError("drawing", options.drawing,
+                     "applies to a drawing, .dxf or .svg: leave it out");
   if (!spec_kind(text).empty())
     throw InputError("FILE", path,
                      "is a spec: fit reads points or a table. Make its table with `jounce design`");

@@ -13,12 +13,12 @@ namespace {
 /// Reads the spec of the machine of a G-code program: axes, limits and corners, but no motion.
 Spec read_gcode_machine(const std::string& machine, const std::string& program) {
   std::string text = read_file(machine);
-  if (const std::string kind = spec_kind(text); kind == "machine" || kind == "axis")
-    throw InputError(
-        "--machine", machine,
-        "is of kind \"" + kind +
-            "\", for `jounce run`. A G-code program needs a spec of kind \"path\" with "
-            "the axes, their limits and the corners: see `jounce new path`");
+  if (const std::string kind = spec_kind(text); !kind.empty() && kind != "path")
+    throw InputError("--machine", machine,
+                     "is of kind \"" + kind +
+                         "\". A G-code program needs a spec of kind \"path\" with the axes, their "
+                         "limits and the "
+                         "corners: see `jounce new path`");
   Spec spec = parse_spec(std::move(text), machine);
   const auto* const path = std::get_if<PathSpec>(&spec.subject);
   if (path == nullptr)

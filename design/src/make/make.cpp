@@ -245,11 +245,11 @@ std::vector<Made> make_any(const Spec& spec) {
   if (std::holds_alternative<AxisSpec>(spec.subject))
     throw InputError(
         "kind", "\"axis\"",
-        "is an axis, which has no table: use it with `jounce check` and `jounce run`. To compare "
-        "two axes, compare their texts");
+        "is an axis, which has no motion of its own: use it with `jounce check` and `jounce run`");
   if (std::holds_alternative<DriveAlone>(spec.subject))
     throw InputError("kind", "\"drive\"",
-                     "is a drive, which has no table: use it with `jounce identify`");
+                     "is a drive, which has no motion of its own: use it with `jounce identify` or "
+                     "`jounce plot --drive bode`");
   if (!spec.over_master()) return make_motions(spec);
   std::vector<Made> all;
   all.push_back(spec.is_cam() ? make_cam(spec) : make_sync(spec));

@@ -109,7 +109,8 @@ std::vector<std::pair<Input, Input>> paired_axes(std::vector<Input> before,
         throw InputError("axis", "",
                          "is missing: " + *file +
                              (others->size() == 1 && others->front().axis.empty()
-                                  ? " has only one axis, without a name"
+                                  ? " has only one axis, without a name; the other file has " +
+                                        listed(*some, &Input::axis)
                               : one.axis.empty() ? " has the axes " + listed(*others, &Input::axis)
                                                  : " has no axis " + one.axis) +
                              ". Name the axis to compare");

@@ -69,7 +69,9 @@ class Reader {
   void read() {
     read_names();
     if (!header_)
-      fail("", "", "is empty: a header must name the columns, such as time [s],position [mm]");
+      fail("", "",
+           "is empty: a header must name the columns, such as time [s],position [mm] or master "
+           "[deg],slave [mm]");
     require_distinct_names();
     first_row_ = at_;
     reserve();
@@ -322,9 +324,9 @@ const PointColumn* Points::find(std::string_view name) const {
 std::vector<double> Points::in_unit(std::string_view name, const std::string& unit) const {
   const PointColumn* column = find(name);
   if (column == nullptr)
-    throw InputError(
-        "column \"" + std::string(name) + '"', "",
-        "is missing: the columns of the file are " + listed(columns, &PointColumn::name))
+    throw InputError("column \"" + std::string(name) + '"', "",
+                     "is missing: the columns of the file are " +
+                         listed(columns, &PointColumn::name) + ". Rename one, or add the column")
         .at(document, static_cast<int>(header));
   std::vector<double> values = column->values;
   if (column->unit.empty() || column->unit == unit) return values;
@@ -355,6 +357,9 @@ InputError Points::error(std::size_t point, const std::string& name, double valu
 
 Points parse_points(std::string_view text, const std::string& document) {
   if (io_detail::is_archive(text)) return io_detail::sheet_points(text, document);
+  if (const auto at = text.find('\0'); at != text.npos)
+    throw InputError("", "", "is not a text file: it has a zero byte here")
+        .at(document, 1 + static_cast<int>(std::count(text.begin(), text.begin() + at, '\n')));
   Points points;
   points.document = document;
   Reader(text, points).read();

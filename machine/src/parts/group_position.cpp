@@ -208,8 +208,9 @@ std::string last_in_reach(const std::array<double, max_axes>& tool, const GroupP
     (reaches(half) ? near : far) = half;
   }
   near -= near * 1e-3;  // the rounded digits are in reach, too
-  return ". From the start position of the joints (" + position_text(*start, places.coordinates) +
-         "), the tool can move toward it as far as " + position_text(at(near), places.coordinates);
+  return ": on the line from the start of the joints, " +
+         position_text(*start, places.coordinates) + ", the last position in reach is " +
+         position_text(at(near), places.coordinates);
 }
 
 Parts joints_at(const std::array<double, max_axes>& tool, const GroupPlaces& places) {
@@ -230,7 +231,12 @@ Parts joints_at(const std::array<double, max_axes>& tool, const GroupPlaces& pla
 
 Parts tool_at(const std::array<double, max_axes>& joints, const GroupPlaces& places) {
   const auto tool = places.map->tool(std::span(joints).first(places.map->joints()));
-  if (tool) return with_ranges(*tool, places.coordinates);
+  if (tool) {
+    Parts all = with_ranges(*tool, places.coordinates);
+    for (const auto& joint : with_ranges(joints, places.joints))
+      if (!joint.broken.empty()) all.push_back(joint);
+    return all;
+  }
   throw InputError("VALUE", listed(places.joints, &AxisPart::name),
                    "are positions for which the kinematics has no position of the tool: use the "
                    "side of the elbow that the kinematics uses, and the same position for two "

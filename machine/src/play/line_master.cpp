@@ -74,6 +74,7 @@ double duration_of(const LineMaster& line) {
 }  // namespace
 
 std::optional<TableFile> line_motion(const Input& input) {
+  if (input.labels.over_master && !input.spec) return std::nullopt;  // no master to ask for
   ExecutorTables tables = executor_tables(input);
   if (tables.master || tables.slave.table.axis() != Domain::time) return std::nullopt;
   return std::move(tables.slave);

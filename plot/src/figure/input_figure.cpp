@@ -65,7 +65,7 @@ Figure figure_of(const Input& input, const std::optional<Input>& before) {
               std::string("is over ") + (before->labels.over_master ? "a master" : "time") +
                   ", but " + input.name + " is over " +
                   (input.labels.over_master ? "a master" : "time") +
-                  ": one picture cannot show both");
+                  ": draw both over time, with --over time");
         return curve_figure(curve, in_units_of(input, *before, *other), look);
       },
       *input.curve);

@@ -145,7 +145,8 @@ PathFigure path_figure(const std::vector<Input>& axes, const std::string& plane)
   if (axes.front().overlap)
     fail(plane,
          "is not possible for lines that overlap in time: leave out --plane, or overlap of [path]");
-  if (!axes.front().plan) fail(plane, "needs a spec of kind \"path\" or a G-code program");
+  if (!axes.front().plan)
+    fail(plane, "needs a spec of kind \"path\" or a G-code program: leave it out");
   const Plan& plan = *axes.front().plan;
   const auto comma = plane.find(',');
   const std::size_t x = axis_named(axes, plane.substr(0, comma), plane);

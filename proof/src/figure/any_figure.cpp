@@ -35,7 +35,9 @@ std::vector<Input> inputs_of(const FigureRequest& request) {
                                                    : gcode_inputs(request.file, request.machine);
   require_no_input(files_of(all), request.output);
   all = axes_named(std::move(all), request.axis, request.file);
-  for (Input& input : all) input = over(request.over, std::move(input));
+  for (Input& input : all)  // beside another motion, only a cam needs the request
+    if (request.before.empty() || input.labels.over_master)
+      input = over(request.over, std::move(input));
   return all;
 }
 
@@ -44,7 +46,8 @@ Input before_of(const FigureRequest& request, const Input& input) {
   std::vector<Input> all = read_program(request.before, request.machine);
   require_no_input(files_of(all), request.output);
   if (all.size() > 1) all = axes_named(std::move(all), input.axis, request.before);
-  return over(request.over, only_axis(std::move(all), request.before));
+  Input before = only_axis(std::move(all), request.before);
+  return before.labels.over_master ? over(request.over, std::move(before)) : before;
 }
 
 /// The figure, and below it torque and power of a [load].

@@ -157,7 +157,7 @@ Figure drive_figure(const Input& input, const std::string& which) {
     throw InputError(
         "drive", "",
         "is missing: this picture needs a spec with [drive]; `jounce new drive` writes an example")
-        .at(input.name);
+        .at(input.files.empty() ? input.name : input.files.front());
   const std::string& unit = input.labels.units.position;
   const Reference reference = table_reference(input);
   Figure figure;

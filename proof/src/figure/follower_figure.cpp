@@ -10,7 +10,9 @@ namespace jounce {
 
 FollowerResult followed(const Input& input, std::size_t samples) {
   if (!input.spec || !input.spec->follower)
-    throw InputError("", "", "has no [follower], which this picture needs").at(input.name);
+    throw InputError("", "",
+                     "has no [follower], which this picture needs: add it, or leave out --follower")
+        .at(input.files.empty() ? input.name : input.files.front());
   const FollowerSpec& f = *input.spec->follower;
   const Reference reference = table_reference(input);
   try {

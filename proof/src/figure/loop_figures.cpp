@@ -134,7 +134,9 @@ struct NamedDrive {
 NamedDrive drive_in(const FigureRequest& request) {
   const std::string text = read_file(request.file);
   const std::string name = request.file == "-" ? "standard input" : request.file;
-  const InputError missing("drive", "", "is missing: this picture needs a spec with a [drive]");
+  const InputError missing(
+      "drive", "",
+      "is missing: this picture needs a spec with [drive]; `jounce new drive` writes an example");
   if (is_finished_table(text)) throw InputError(missing).at(name);
   const Spec spec = parse_spec(text, name);
   require_no_input(spec.document.all_files(), request.output);

@@ -375,8 +375,8 @@ class Reduction {
 void require_valid(const Target& target) {
   if (!target.tolerance && !target.velocity_tolerance && !target.most)
     throw InputError("tolerance", "",
-                     "is missing: new knots need a tolerance, a tolerance of the velocity, or "
-                     "their greatest number (most)");
+                     "is missing: new knots need a tolerance of the position or velocity, or their "
+                     "greatest number, `most`");
   if (target.tolerance) require_positive("tolerance", *target.tolerance);
   if (target.velocity_tolerance) require_positive("velocity_tolerance", *target.velocity_tolerance);
   if (target.quadratic && target.rule != Interpolation::cubic_hermite)
@@ -384,8 +384,8 @@ void require_valid(const Target& target) {
   for (const auto& [key, step] : {std::pair{"p_step", target.p_step}, {"v_step", target.v_step}})
     if (target.quadratic && step != 0)
       throw InputError(key, step,
-                       "cannot be used with quadratic pieces, because each passes the rounding of "
-                       "its end on with its sign reversed: leave it out, or use straight lines");
+                       "cannot be used with quadratic pieces, which carry each rounding on to the "
+                       "next end: leave it out");
   require_not_negative("spacing", target.spacing);
   require_not_negative("x_step", target.x_step);
   require_not_negative("p_step", target.p_step);

@@ -25,7 +25,7 @@ std::string without_motion(const RunResult& run) {
     if (kind == each)
       return "1 file: 1 good: " +
              std::string(kind == "machine" ? "`jounce run` accepts it" : "its keys are valid") +
-             "; the kind " + kind + " has no motion to examine";
+             "; a spec of kind " + kind + " has no motion to examine";
   return "";
 }
 

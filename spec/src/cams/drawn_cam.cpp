@@ -214,11 +214,12 @@ DrawnCam read_drawn_cam(const std::string& path, const std::string& keys, const 
     return spec_detail::drawn_cam(top.table("drawing"), std::move(outline), units);
   } catch (const InputError& error) {
     if (!error.document().empty()) throw;
-    throw InputError(error.key(), error.value(), error.rule());
-  } catch (const toml::parse_error& error) {
+    std::string key = error.key();
+    if (key.starts_with("drawing.")) key[std::string("drawing").size()] = ' ';
+    throw InputError(key, error.value(), error.rule());
+  } catch (const toml::parse_error&) {
     throw InputError("drawing", keys,
-                     "must be keys of the table drawing, such as roller_radius = 8, offset = 3: " +
-                         std::string(error.description()));
+                     "must be keys and values, such as roller_radius = 8, turn = \"-30 deg\"");
   }
 }
 

@@ -33,8 +33,10 @@ std::string figures_text(const TuneOutcome& outcome, bool maximize) {
 
 std::string tune_text(const TuneOutcome& outcome, const Spec& spec) {
   const SearchOutcome& search = outcome.search;
-  std::string text = fmt::format("{}: {} ({})\n", name(search.status), search.reason,
-                                 counted(search.evaluations, "evaluation"));
+  const std::string count = counted(search.evaluations, "evaluation");
+  const bool counts = search.reason.find(count) != std::string::npos;
+  std::string text = fmt::format("{}: {}{}\n", name(search.status), search.reason,
+                                 counts ? "" : " (" + count + ")");
   text += fmt::format("  {:<28} {:>12} {:>12}\n", "", "given",
                       outcome.usable() ? "reached" : "nearest");
   text += figures_text(outcome, spec.parameters->maximize);

@@ -43,7 +43,8 @@ Values read_grid(TomlReader& table, const std::string& unit) {
   if (!count) table.fail("count", "", "is missing: give the number of values, both ends included");
   if (*count < 2) table.fail("count", std::to_string(*count), "must be at least 2");
   if (*count > SweepSpec::most_cases)
-    table.fail("count", std::to_string(*count), "makes more than 10000000 cases");
+    table.fail("count", std::to_string(*count),
+               "makes more than 10000000 cases: give a lower count");
   Values values;
   for (std::size_t i = 0; i < *count; ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(*count - 1);

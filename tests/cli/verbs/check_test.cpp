@@ -208,8 +208,9 @@ TEST_F(CheckVerb, ComparesATableWithItsSpec) {
     EXPECT_THAT(older.out, HasSubstr("`jounce design feeder.toml -o feeder.csv`"));
   }
   EXPECT_EQ(run("check feeder.csv --against feeder.toml --strict").status, 0);
-  EXPECT_EQ(run("check feeder.csv --tolerance 1e-3").err,
-            "jounce: --tolerance = 1e-3: needs --baseline or --against\n");
+  EXPECT_EQ(
+      run("check feeder.csv --tolerance 1e-3").err,
+      "jounce: --tolerance = 1e-3: needs --baseline or --against: add one, or leave it out\n");
   EXPECT_EQ(run("check feeder.csv --against feeder.csv").status, 2);
 }
 

@@ -47,7 +47,9 @@ TEST_F(DesignVerb, EveryVerbThatWritesATableTakesOverTime) {
               HasSubstr("master: is missing"));
   EXPECT_THAT(run("check pt.csv --over time").err, HasSubstr("jounce: --over = time: "));
   EXPECT_THAT(run("check " + pusher + " " + cam + " --over time").err,
-              HasSubstr("--over = time: applies to a single file with a motion"));
+              HasSubstr("--over = time: applies to a single file: give one file"));
+  EXPECT_THAT(run("check " + cam + " --over time --quiet").err,
+              HasSubstr("--over = time: cannot be combined with --quiet"));
 }
 
 TEST_F(DesignVerb, WritesTablesThatCheckReads) {

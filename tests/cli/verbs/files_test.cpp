@@ -49,11 +49,11 @@ TEST_F(Files, AMissingFolderIsRejectedBeforeTheWork) {
 
 TEST_F(Files, AnOutputHasTheExtensionOfItsFormat) {
   for (const auto& [verb, name, endings] :
-       {std::tuple{"design " + cam + " -o ", "o.xls", "one of .csv, .json"},
+       {std::tuple{"design " + cam + " -o ", "o.xls", ".csv or .json"},
         {"optimize " + cam + " -o ", "o.csv", ".toml"},
-        {"events " + cam + " -o ", "o.txt", "one of .csv, .json"},
-        {"map " + cam + " -o ", "o.pdf", "one of .csv, .svg, .png"},
-        {"plot " + cam + " -o ", "o.gif", "one of .svg, .png"},
+        {"events " + cam + " -o ", "o.txt", ".csv or .json"},
+        {"map " + cam + " -o ", "o.pdf", ".csv, .svg or .png"},
+        {"plot " + cam + " -o ", "o.gif", ".svg or .png"},
         {std::string("new cam -o "), "o.csv", ".toml"}}) {
     const Result wrong = run(verb + name);
     EXPECT_EQ(wrong.status, 2) << verb;

@@ -94,7 +94,7 @@ TEST_F(OptimizeVerb, SigtermKeepsTheBestSoFarAsSigintDoes) {
 TEST_F(OptimizeVerb, RejectsOptionsBeforeTheSearch) {
   const std::string shapes = "optimize " + examples + "residual-17hz/cam.toml";
   EXPECT_EQ(run(shapes + " --plot x.pdf").err,
-            "jounce: --plot = x.pdf: must end in one of .svg, .png\n");
+            "jounce: --plot = x.pdf: must end in .svg or .png\n");
   EXPECT_THAT(run(shapes + " --seconds nan").err, HasSubstr("--seconds = nan"));
   EXPECT_THAT(run("optimize " + cam + " --seconds 0").err, HasSubstr("must be greater than 0"));
   EXPECT_THAT(files(), ::testing::IsEmpty());

@@ -28,7 +28,7 @@ TEST_F(PlotVerb, DrawsTheLoopOfADriveAlone) {
   EXPECT_EQ(slurp(folder / "n.png").substr(1, 3), "PNG");
   ASSERT_EQ(run("new gear -o gear.toml").status, 0);
   EXPECT_THAT(run("plot gear.toml --drive bode").err,
-              HasSubstr("drive: is missing: this picture needs a spec with a [drive]"));
+              HasSubstr("drive: is missing: this picture needs a spec with [drive]"));
 }
 
 TEST_F(PlotVerb, ADriveCannotBeCombinedWithAnotherPicture) {

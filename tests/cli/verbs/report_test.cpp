@@ -22,10 +22,9 @@ TEST_F(ReportVerb, WritesAPageAndPrintsTheVerdict) {
   EXPECT_THAT(page.out, HasSubstr("PMC600 Fig. 6.14: 2 findings; the worst: geo_velocity"));
   const Result pdf = run("report " + cam + " -o page.pdf");
   EXPECT_EQ(pdf.status, 2);
-  EXPECT_EQ(pdf.err, "jounce: --output = page.pdf: must end in one of .html, .htm\n");
+  EXPECT_EQ(pdf.err, "jounce: --output = page.pdf: must end in .html or .htm\n");
   std::filesystem::create_directory(folder / "folder");
-  EXPECT_EQ(run("report folder -o other.html").err,
-            "jounce: folder: cannot be read: Is a directory\n");
+  EXPECT_EQ(run("report folder -o other.html").err, "jounce: folder: is a folder: name a file\n");
   EXPECT_FALSE(std::filesystem::exists(folder / "page.pdf"));
 }
 

@@ -129,7 +129,7 @@ TEST_F(ValidateVerb, WritesTheSignalsOfADrive) {
   ASSERT_EQ(run("validate move.toml --signals run.npy --samples 801").status, 0);
   EXPECT_THAT(slurp(folder / "run.npy"), HasSubstr("('feedback', '<f8'), ('load', '<f8')"));
   EXPECT_THAT(run("validate move.toml --signals run.txt").err,
-              HasSubstr("must end in one of .csv, .npy"));
+              HasSubstr("must end in .csv or .npy"));
   EXPECT_THAT(run("validate move.toml --signals move.toml").err, HasSubstr("--signals"));
   ASSERT_EQ(run("new gear -o gear.toml").status, 0);
   EXPECT_THAT(run("validate gear.toml --signals run.csv").err, HasSubstr("[drive]"));
