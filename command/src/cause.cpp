@@ -187,7 +187,7 @@ constexpr std::array entries{
         "axis with --rolling --relative. With a live master, use the `cutter` of the axis with "
         "`jounce order NAME start`, or start = \"ramp_in\" with velocity_diff and acceleration in "
         "[coupling].",
-        nullptr,
+        "Or start the executor with --adopt-start.",
         "Or start the executor with --adopt-start. With --live instead: `jounce order NAME start` "
         "for an axis with a `cutter`, or start = \"ramp_in\" with velocity_diff and acceleration "
         "in "
@@ -446,9 +446,7 @@ constexpr const char* each_axis =
 constexpr const char* group_move =
     "A group moves with `move-linear`, and jogs with `jog --along`. A single axis moves while its "
     "group is disabled.";
-constexpr const char* hold_of_slave =
-    "A slave rests with its master: hold the master, or end the coupling: `jounce order NAME "
-    "halt`.";
+constexpr const char* hold_of_slave = "A slave rests only with its master: hold the master.";
 constexpr const char* hold_of_homing =
     "A homing cannot be held or resumed: `jounce order NAME halt` ends it.";
 constexpr const char* nothing_to_hold = "Nothing moves: no hold is needed.";
@@ -487,7 +485,8 @@ constexpr std::array order_remedies{
     OrderRemedy{Cause::in_motion, CommandKind::hold, hold_of_homing},
     OrderRemedy{Cause::in_motion, CommandKind::resume, hold_of_homing},
     OrderRemedy{Cause::not_on_path, CommandKind::hold, hold_of_slave},
-    OrderRemedy{Cause::not_on_path, CommandKind::resume, hold_of_slave},
+    OrderRemedy{Cause::not_on_path, CommandKind::resume,
+                "A slave moves with its master: no resume is needed."},
     OrderRemedy{
         Cause::not_on_path, CommandKind::finish,
         "`finish` ends a table that repeats, or a repetitive move. `jounce order NAME halt` "

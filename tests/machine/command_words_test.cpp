@@ -330,6 +330,15 @@ TEST(CommandWords, CommandsThatChangeAMotion) {
               HasSubstr("must be 0 or more"));
 }
 
+TEST(CommandWords, APieceHasAPositiveLength) {
+  for (const char* const option : {"length", "waste"})
+    EXPECT_EQ(test::error_of([&] {
+                command_of({.what = "cut", .options = {{option, "-5"}}}, mm);
+              }),
+              "--" + std::string(option) + " = -5" + (mm.x.empty() ? "" : " " + mm.x) +
+                  ": must be greater than 0");
+}
+
 TEST(CommandWords, AWrongCoordinateIsNamed) {
   const auto rule = [](const char* what, std::map<std::string, std::string> options) {
     return test::rule_of([&] { command_of({.what = what, .options = options}, mm); });

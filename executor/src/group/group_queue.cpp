@@ -57,6 +57,7 @@ constexpr std::array option_keys{
 
 /// The option for a key; "" for another key.
 std::string option_of(std::string key) {
+  if (key == "VALUE") return key;
   if (std::find(option_keys.begin(), option_keys.end(), key) == option_keys.end()) return "";
   std::replace(key.begin(), key.end(), '_', '-');
   return "--" + key;

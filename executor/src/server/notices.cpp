@@ -27,8 +27,9 @@ std::string numbers_of(const Tick& now, const std::string& unit, const AxisConfi
     return value ? std::string(" The limit is ") + key + " = " + valued(*value, per) + "." : "";
   };
   const auto required = [&](const char* per) {
-    return std::isfinite(now.fault_value) ? " It requires " + valued(now.fault_value, per) + "."
-                                          : "";
+    return std::isfinite(now.fault_value)
+               ? " The motion requires " + valued(now.fault_value, per) + "."
+               : "";
   };
   switch (now.fault) {
     case Cause::following_error:
@@ -325,8 +326,8 @@ std::string refusal_text(const Refusal& refusal, const Tick& now, const Executor
     words.replace(at, either.size(), options.group ? "The group " : "The axis ");
   if (refusal.cause == Cause::probe_window && options.axis.limits.position_min &&
       options.axis.limits.position_max)
-    words += " Its range is " + in_units(*options.axis.limits.position_min, options) + " to " +
-             in_units(*options.axis.limits.position_max, options) + ".";
+    words += " The axis has the range " + in_units(*options.axis.limits.position_min, options) +
+             " to " + in_units(*options.axis.limits.position_max, options) + ".";
   if (refusal.cause == Cause::axis_away && options.group)
     add_tolerance(words, options.group->of.tolerance, unit);
   words = fitting({words, without_meaning(refusal.cause, words),

@@ -95,8 +95,9 @@ TEST(Notices, ReportTheNumbersOfAFault) {
   config.limits.acceleration = 10000;
   now.fault = Cause::overacceleration;
   now.fault_value = 20700;
-  EXPECT_THAT(fault_text(now, "mm", config),
-              HasSubstr("It requires 20700 mm/s^2. The limit is acceleration = 10000 mm/s^2."));
+  EXPECT_THAT(
+      fault_text(now, "mm", config),
+      HasSubstr("The motion requires 20700 mm/s^2. The limit is acceleration = 10000 mm/s^2."));
   now.fault = Cause::jump;
   EXPECT_THAT(fault_text(now, "mm", config),
               HasSubstr("The limit is stop_acceleration = 20000 mm/s^2."))
