@@ -295,10 +295,12 @@ constexpr std::array entries{
     Entry{Cause::no_such_method, "no_such_method", "The homing method does not exist.",
           "Choose one of the methods of CiA 402: 1 to 14, 17 to 30, 33, 34, 35 or 37 (see "
           "docs/executor/homing.md)."},
-    Entry{Cause::no_sensor, "no_sensor",
-          "The drive does not report the switch or the index that the homing method needs.",
-          "Choose a method for the switches that the machine has. For a simulated drive, add "
-          "[drive.machine] to the spec of the axis."},
+    Entry{
+        Cause::no_sensor, "no_sensor",
+        "The drive does not report the switch or the index that the homing method needs.",
+        "Choose a method for the switches that the machine has. For a simulated drive, add "
+        "home_switch, negative_switch, positive_switch or index to [drive.machine] in the spec of "
+        "the axis."},
     Entry{Cause::in_group, "in_group",
           "The axis belongs to an enabled group, which alone moves it.",
           "Command the group, or disable it first: `jounce order GROUP disable`."},

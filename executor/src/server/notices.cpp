@@ -189,6 +189,9 @@ std::string endless_text(Cause cause, const Tick& now, const ExecutorOptions& op
   if (endless && order == CommandKind::finish && cause == Cause::no_movement)
     return "a motion at constant velocity has no end to finish: end it with " + halt;
   if (cause != Cause::in_motion && cause != Cause::synchronized) return "";
+  if (now.override_ == 0 && now.velocity == 0 && cause == Cause::in_motion)
+    return "the motion waits, because the override is 0 %: end it with " + halt +
+           ", or raise the override";
   if (now.held && cause == Cause::in_motion)
     return std::string("the ") + (options.group ? "group" : "axis") +
            " is held on its path: end the motion with " + halt + ", or continue it with `resume`";

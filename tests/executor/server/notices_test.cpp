@@ -290,6 +290,8 @@ TEST(Notices, ARejectionInAnEndlessMotionNamesTheOrderThatEndsIt) {
   EXPECT_EQ(reason({.state = State::discrete_motion, .held = true}, CommandKind::home),
             "the axis is held on its path: end the motion with `jounce order roller halt`, or "
             "continue it with `resume`");
+  EXPECT_THAT(reason({.state = State::discrete_motion, .override_ = 0}, CommandKind::home),
+              HasSubstr("because the override is 0 %: end it with `jounce order roller halt`"));
   now.state = State::synchronized_motion;
   EXPECT_EQ(reason(now, CommandKind::home),
             "the axis follows its master: end the coupling with `jounce order roller halt`");
