@@ -17,6 +17,12 @@ std::string name_of(const CLI::Option& option) {
   return option.get_lnames().empty() ? option.get_name(true) : "--" + option.get_lnames().front();
 }
 
+/// Rejects the option that follows an option without its value.
+void require_value(const std::string& name, const std::string& text) {
+  if (name[0] == '-' && looks_like_option(text))
+    throw InputError(name, "", "has no value after it");
+}
+
 }  // namespace
 
 const Option& Option::required() const {
@@ -27,6 +33,7 @@ const Option& Option::required() const {
 const Option& Option::check(ValueCheck check) const {
   if (!check.words.empty()) completed_by([words = check.words] { return words; });
   option_->check([option = option_, check = std::move(check)](const std::string& text) {
+    require_value(name_of(*option), text);
     const std::string rule = check.broken_rule(text);
     if (!rule.empty()) throw InputError(name_of(*option), text, rule);
     return std::string();
@@ -73,8 +80,7 @@ Option Verb::option(const std::string& name, OptionTarget target, const std::str
   CLI::Option* option = verb_->add_option(
       name,
       [target, name = name.substr(name.rfind(',') + 1)](const CLI::results_t& words) {
-        if (name[0] == '-' && looks_like_option(words.back()))
-          throw InputError(name, "", "has no value after it");
+        require_value(name, words.back());
         if (const std::string rule = target.put(words); !rule.empty())
           throw InputError(name, words.front(), rule);
         return true;

@@ -50,9 +50,7 @@ wire::GroupStatus coordinates_of(const OrderArguments& options, KeyedLink& link)
   const auto group =
       present_group(link.transport(), options.executor, std::chrono::seconds(1), link.key());
   if (!group && names_axes(options.words))
-    throw InputError("NAME", options.executor,
-                     "is a single axis, without coordinates: name a group, or send `jounce order " +
-                         options.executor + " move --to POSITION`");
+    throw InputError("NAME", options.executor, rule_of_axis(options.executor, options.words.what));
   return group.value_or(wire::GroupStatus{});
 }
 

@@ -37,7 +37,7 @@ ReplayedFile replayed(const ReplayArguments& options) {
 
 int run_replay(const ReplayArguments& options) {
   for (const auto& [option, path] : {std::pair{"--plot", options.plot}, {"--csv", options.csv}})
-    if (!path.empty()) require_other_file(options.file, path);
+    if (!path.empty()) require_other_file(options.file, path, option);
   if (const bool writes = !options.plot.empty() || !options.csv.empty();
       !writes && (!options.axis.empty() || options.last))
     throw InputError(options.last ? "--last" : "--axis", "",

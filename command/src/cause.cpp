@@ -47,10 +47,10 @@ constexpr std::array entries{
         "that the motion needs. Then send `jounce order NAME reset`."},
     Entry{Cause::positive_soft_limit, "positive_soft_limit",
           "The motion would have passed position_max: the axis stopped before it.",
-          "Send `jounce order NAME reset`, then move the axis back into its position range."},
+          "Send `jounce order NAME reset`, then move the axis in the negative direction."},
     Entry{Cause::negative_soft_limit, "negative_soft_limit",
           "The motion would have passed position_min: the axis stopped before it.",
-          "Send `jounce order NAME reset`, then move the axis back into its position range."},
+          "Send `jounce order NAME reset`, then move the axis in the positive direction."},
     Entry{Cause::positive_switch, "positive_switch", "The axis reached the positive limit switch.",
           "Send `jounce order NAME reset`, then move the axis off the switch in the negative "
           "direction."},
@@ -120,7 +120,8 @@ constexpr std::array entries{
         "from the cause."},
     Entry{Cause::in_motion, "in_motion", "The axis or group is moving.",
           "Wait for standstill, or end the motion: `jounce order NAME halt`. `jounce order NAME "
-          "finish` lets a table that repeats end with its present pass."},
+          "finish` lets a table that repeats end with its present pass.",
+          "Wait for standstill, or end the motion: `jounce order NAME halt`."},
     Entry{Cause::not_armed, "not_armed", "No table is armed.",
           "Send a table and arm it. After a stop, the table must be armed again."},
     Entry{Cause::not_at_start, "not_at_start",
@@ -171,7 +172,7 @@ constexpr std::array entries{
           "A velocity, acceleration, deceleration or jerk of the command is not greater than 0.",
           "Give a number greater than 0, or leave the option out to use the limit of the axis."},
     Entry{Cause::no_reserve, "no_reserve",
-          "The present motion uses a limit completely, so nothing is left for a superimposed move.",
+          "The present motion leaves no reserve for a superimposed move.",
           "Begin the present motion with a lower --velocity, --acceleration, --deceleration and "
           "--jerk (each is the limit of the axis by default), or wait for its end."},
     Entry{Cause::bad_table, "bad_table", "The tables do not form a motion.",
@@ -186,10 +187,11 @@ constexpr std::array entries{
         "axis with --rolling --relative. With a live master, use the `cutter` of the axis with "
         "`jounce order NAME start`, or start = \"ramp_in\" with velocity_diff and acceleration in "
         "[coupling].",
-        nullptr,
-        "Or start the executor with --adopt-start, but not for --live. With --live, prefer the "
-        "`cutter` of the axis: `jounce order NAME start` begins at any position of the master. Or "
-        "use start = \"ramp_in\" with velocity_diff and acceleration in [coupling]."},
+        "Or start the executor with --adopt-start.",
+        "Or start the executor with --adopt-start. With --live instead: `jounce order NAME start` "
+        "for an axis with a `cutter`, or start = \"ramp_in\" with velocity_diff and acceleration "
+        "in "
+        "[coupling]."},
     Entry{Cause::start_velocity, "start_velocity", "The table does not begin at rest.",
           "Add a ramp at the start. The permitted step of the velocity is the acceleration limit "
           "times one cycle."},
@@ -286,14 +288,19 @@ constexpr std::array entries{
           "[homing])."},
     Entry{Cause::not_homed, "not_homed", "The axis is not homed, and the command requires it.",
           "Enable the axis and home it: `jounce order NAME home`. A move by a distance (--by) is "
-          "permitted before the homing."},
+          "permitted before the homing.",
+          "Home it: `jounce order NAME home`. A move by a distance (--by) is permitted before the "
+          "homing.",
+          "Home it: `jounce order NAME home`."},
     Entry{Cause::no_such_method, "no_such_method", "The homing method does not exist.",
           "Choose one of the methods of CiA 402: 1 to 14, 17 to 30, 33, 34, 35 or 37 (see "
           "docs/executor/homing.md)."},
-    Entry{Cause::no_sensor, "no_sensor",
-          "The drive does not report the switch or the index that the homing method needs.",
-          "Choose a method for the switches that the machine has. For a simulated drive, add "
-          "[drive.machine] to the spec of the axis."},
+    Entry{
+        Cause::no_sensor, "no_sensor",
+        "The drive does not report the switch or the index that the homing method needs.",
+        "Choose a method for the switches that the machine has. For a simulated drive, add "
+        "home_switch, negative_switch, positive_switch or index to [drive.machine] in the spec of "
+        "the axis."},
     Entry{Cause::in_group, "in_group",
           "The axis belongs to an enabled group, which alone moves it.",
           "Command the group, or disable it first: `jounce order GROUP disable`."},
@@ -302,8 +309,7 @@ constexpr std::array entries{
         "Send the command to an axis of the group, while the group is disabled. A group moves with "
         "`move-linear`, and jogs with `jog --along`. For a table: stream it to an axis while the "
         "group is disabled; a group plays a path.",
-        "Send the command to an axis of the group, while the group is disabled. A group moves with "
-        "`move-linear`, and jogs with `jog --along`.",
+        "Send the command to an axis of the group, while the group is disabled.",
         "Stream the table to an axis of the group, while the group is disabled. A group plays a "
         "path: a spec of kind \"path\", or a G-code program."},
     Entry{Cause::axis_not_ready, "axis_not_ready", "An axis of the group is not ready.",
@@ -439,6 +445,12 @@ constexpr const char* move_instead =
     "Move the axis: `jounce order NAME move --to POSITION`. A coordinate move needs a group.";
 constexpr const char* each_axis =
     "Send the command to each axis of the group, while the group is disabled.";
+constexpr const char* group_move =
+    "A group moves with `move-linear`, and jogs with `jog --along`. A single axis moves while its "
+    "group is disabled.";
+constexpr const char* hold_of_slave = "A slave rests only with its master: hold the master.";
+constexpr const char* hold_of_homing =
+    "A homing cannot be held or resumed: `jounce order NAME halt` ends it.";
 constexpr const char* nothing_to_hold = "Nothing moves: no hold is needed.";
 
 constexpr std::array order_remedies{
@@ -472,6 +484,18 @@ constexpr std::array order_remedies{
     OrderRemedy{Cause::in_motion, CommandKind::gear_in_pos,
                 "gear-in-pos needs an axis at standstill: `jounce order NAME halt` ends a coupling "
                 "or a move. In motion, use `gear-in`."},
+    OrderRemedy{Cause::in_motion, CommandKind::hold, hold_of_homing},
+    OrderRemedy{Cause::in_motion, CommandKind::resume, hold_of_homing},
+    OrderRemedy{Cause::not_on_path, CommandKind::hold, hold_of_slave},
+    OrderRemedy{Cause::not_on_path, CommandKind::resume,
+                "A slave moves with its master: no resume is needed."},
+    OrderRemedy{
+        Cause::not_on_path, CommandKind::finish,
+        "`finish` ends a table that repeats, or a repetitive move. `jounce order NAME halt` "
+        "ends any other motion."},
+    OrderRemedy{Cause::not_homed, CommandKind::enable_compensation,
+                "Enable the axis, home it (`jounce order NAME home`), disable it, and repeat the "
+                "command."},
     OrderRemedy{Cause::no_movement, CommandKind::hold, nothing_to_hold},
     OrderRemedy{Cause::not_a_group, CommandKind::move_linear_absolute, move_instead},
     OrderRemedy{Cause::not_a_group, CommandKind::move_linear_relative, move_instead},
@@ -485,9 +509,21 @@ constexpr std::array order_remedies{
     OrderRemedy{Cause::not_a_group, CommandKind::group_set_limits,
                 "Send the command to a group. For an axis, give the limits with each move, or in "
                 "[limits] of its spec."},
+    OrderRemedy{Cause::not_a_group, CommandKind::group_set_position,
+                "Set the position of the axis: `jounce order NAME set-position POSITION`. Only a "
+                "group has --to."},
     OrderRemedy{Cause::not_a_group, CommandKind::group_jog,
                 "Jog the axis: `jounce order NAME jog VELOCITY`. Only a group jogs --along."},
     OrderRemedy{Cause::single_axis, CommandKind::home, each_axis},
+    OrderRemedy{Cause::single_axis, CommandKind::move_absolute, group_move},
+    OrderRemedy{Cause::single_axis, CommandKind::move_relative, group_move},
+    OrderRemedy{Cause::single_axis, CommandKind::move_additive, group_move},
+    OrderRemedy{Cause::single_axis, CommandKind::move_superimposed, group_move},
+    OrderRemedy{Cause::single_axis, CommandKind::move_velocity, group_move},
+    OrderRemedy{Cause::single_axis, CommandKind::finish,
+                "A group plays its path once: `jounce order NAME halt` ends it."},
+    OrderRemedy{Cause::single_axis, CommandKind::change_velocity,
+                "Change the speed of the group: `jounce order NAME override 50%`."},
     OrderRemedy{Cause::single_axis, CommandKind::override_,
                 "Override the group: `jounce order NAME set-override --velocity-factor 50%`."},
     OrderRemedy{Cause::single_axis, CommandKind::set_position,

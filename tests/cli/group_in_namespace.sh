@@ -21,7 +21,7 @@ order plotter override 40% || fail "override: $(cat out)" # the path lasts 10 s,
 order plotter start || fail "start: $(cat out)"
 soon past plotter 10 || fail "it does not move"
 order plotter hold || fail "hold: $(cat out)"
-refused 1 in_motion plotter start
+refused 1 "the group is held on its path" plotter start
 wait_for plotter '"held":true'
 order plotter override 200% || fail "override: $(cat out)"
 order plotter resume || fail "resume: $(cat out)"

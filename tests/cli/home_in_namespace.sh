@@ -88,7 +88,7 @@ wait_for slide '"homed":true'
 order slide move --to 0mm || fail "move: $(cat out)"
 wait_for slide standstill
 order slide jog 5mm/s || fail "jog: $(cat out)"
-refused 1 "without end" slide home
+refused 1 "keeps a constant velocity" slide home
 order slide halt || fail "halt: $(cat out)"
 wait_for slide standstill
 order slide move --to 0mm || fail "move back: $(cat out)"

@@ -108,7 +108,7 @@ order plotter m-word 6 --timeout 90 || fail "m-word: $(cat out)"
 order plotter move-linear --by 5,0 --velocity 50 --buffered || fail "move-linear: $(cat out)"
 wait_for plotter '"state":"standstill".*"reason":"awaits_acknowledge"'
 grep -q 'M6 waits for' said || fail "no notice of M6: $(cat said)"
-refused 1 no_handshake plotter acknowledge --m-word 5
+refused 1 "for an acknowledgment of M6, not of M5" plotter acknowledge --m-word 5
 order plotter acknowledge --m-word 6 || fail "acknowledge: $(cat out)"
 reaches plotter x 5
 order plotter m-word 8 || fail "m-word: $(cat out)"

@@ -44,7 +44,7 @@ sleep 0.5
 order label phasing --to 0mm --velocity 5mm/s
 sleep 1.5
 order label gear-in 4:5 --clutch 100mm
-rejected "by a gear: end this with .jounce order label halt" label change-velocity 100mm/s
+rejected "by a gear: end the gear with .jounce order label halt" label change-velocity 100mm/s
 sleep 1
 order label combine 1:1 --second -1:2
 sleep 0.5 # the label is in step before its second master begins, whose jerk adds to that of the label

@@ -59,7 +59,7 @@ got=0
 stream part.ngc || got=$?
 [ $got = 1 ] && grep -q 'awaits_acknowledge' out || fail "a second program: $got, $(cat out)"
 refused 1 awaits_acknowledge plotter start
-refused 1 no_handshake plotter acknowledge --m-word 8
+refused 1 "for an acknowledgment of M6, not of M8" plotter acknowledge --m-word 8
 order plotter acknowledge --m-word 6 || fail "acknowledge: $(cat out)"
 wait_for plotter '"state":"discrete_motion"'
 refused 1 no_handshake plotter acknowledge

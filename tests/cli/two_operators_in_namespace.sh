@@ -70,7 +70,7 @@ for each in $orders; do
 done
 wait_for plotter '"state":"standstill".*"queue_rows":0'
 answers 'the limits lower the velocity from 50000 mm/s to ' plotter move-linear x=60 y=60 --velocity 50000
-refused 1 'the time of the wait -1 s must be from 0 s to 1e6 s' plotter wait -1
+refused 1 'VALUE = -1 s: must be from 0 s to 1e6 s' plotter wait -1
 
 # An axis of the group is stopped: the group stops with it, and the jog reports it.
 jogs_until 'the jog has ended: group_stopped' plotter 2 --along 0,1

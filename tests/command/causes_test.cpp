@@ -130,9 +130,8 @@ TEST(Causes, TextsHaveTheNumbersOfTheRejection) {
             "no_such_move: No move from the present state to that target keeps the limits and the "
             "direction: 5 mm is not in this direction from 20 mm.");
   EXPECT_EQ(text(Refusal{Cause::no_reserve, 8000, 8000, 2}, "mm"),
-            "no_reserve: The present motion uses a limit completely, so nothing is left for a "
-            "superimposed "
-            "move: acceleration or deceleration 8000 mm/s^2, limit 8000 mm/s^2.");
+            "no_reserve: The present motion leaves no reserve for a superimposed move: "
+            "acceleration or deceleration 8000 mm/s^2, limit 8000 mm/s^2.");
   EXPECT_THAT(remedy_of_order(Cause::no_reserve, CommandKind::move_superimposed),
               ::testing::HasSubstr("--deceleration"));
   EXPECT_EQ(text(Refusal{Cause::no_such_move, 5}, "mm"),

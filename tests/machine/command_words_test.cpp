@@ -179,6 +179,16 @@ TEST(CommandWords, AValueOfAWordWithoutOneNamesItsOption) {
             "VALUE = 5: does not apply to acknowledge: did you mean --m-word 5?");
   EXPECT_EQ(rule("single-step"), "VALUE = 5: does not apply to single-step: did you mean --on?");
   EXPECT_EQ(rule("move-linear"), "VALUE = 5: needs the name of an axis, such as x=5");
+  EXPECT_EQ(rule("phasing"),
+            "VALUE = 5: does not apply to phasing: did you mean --to 5 or --by 5?");
+  EXPECT_EQ(rule("repeat"), "VALUE = 5: does not apply to repeat: did you mean --to 5?");
+}
+
+TEST(CommandWords, AnOrderWithCoordinatesNamesThatOfAnAxis) {
+  EXPECT_THAT(rule_of_axis("x", "set-position"),
+              HasSubstr("`jounce order x set-position POSITION`"));
+  EXPECT_THAT(rule_of_axis("x", "move-direct"), HasSubstr("`jounce order x move --to POSITION`"));
+  EXPECT_EQ(rule_of_axis("x", "set-limits"), "is a single axis, without coordinates: name a group");
 }
 
 TEST(CommandWords, LimitsTakeTheNameOfAnAxis) {
@@ -261,8 +271,11 @@ TEST(CommandWords, CoordinatesHaveTheNamesOfTheAxes) {
             "VALUE = x=1: cannot be combined with --to: give one of the two");
   EXPECT_EQ(wrong("move-linear", {"x=1"}, {{"by", "5"}}),
             "VALUE = x=1: cannot be combined with --by: use --by x=1");
-  EXPECT_EQ(wrong("wait", {"1", "2"}),
-            "VALUE = 1: is one of several values: give one value, or coordinates such as x=10 y=5");
+  EXPECT_EQ(wrong("wait", {"1", "2"}), "VALUE = 1: is one of several values: give one value");
+  EXPECT_EQ(wrong("move-linear", {"1", "2"}),
+            "VALUE = 1: is one of several values: give coordinates such as x=10 y=5");
+  EXPECT_EQ(wrong("enable", {"1", "2"}),
+            "VALUE = 1: does not apply to enable, which takes no VALUE");
   EXPECT_EQ(wrong("jog", {"-250mm/s", "--url", "unix:///tmp/bus"}),
             "VALUE = --url: is an option after --, where all words are values: write it before --. "
             "A negative number needs no --");
@@ -315,6 +328,15 @@ TEST(CommandWords, CommandsThatChangeAMotion) {
                 command_of({.what = "repeat", .options = {{"to", "5"}, {"wait", "-1"}}}, mm);
               }),
               HasSubstr("must be 0 or more"));
+}
+
+TEST(CommandWords, APieceHasAPositiveLength) {
+  for (const char* const option : {"length", "waste"})
+    EXPECT_EQ(test::error_of([&] {
+                command_of({.what = "cut", .options = {{option, "-5"}}}, mm);
+              }),
+              "--" + std::string(option) + " = -5" + (mm.x.empty() ? "" : " " + mm.x) +
+                  ": must be greater than 0");
 }
 
 TEST(CommandWords, AWrongCoordinateIsNamed) {

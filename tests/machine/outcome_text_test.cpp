@@ -29,6 +29,8 @@ TEST(OutcomeText, AddsTheRemedyOfTheAxis) {
   CallOutcome busy = rejected();
   busy.refusal = wire::Refusal::busy;
   EXPECT_EQ(reason_text(busy, "feeder"), busy.reason) << "only an axis has causes";
+  busy.reason = "busy: the axis belongs to another session";
+  EXPECT_THAT(reason_text(busy, "feeder"), EndsWith("`jounce stop feeder`."));
 }
 
 // The library names no options: a program in C++ has none.

@@ -240,8 +240,7 @@ void PathCommands::append(const command::MoveCircular<relative>& arc) {
 void PathCommands::append(const command::GroupWait& wait) {
   constexpr double longest_wait = 1e6;  // s
   if (!(wait.duration >= 0 && wait.duration <= longest_wait))
-    throw InputError("the time of the wait", six_digits(wait.duration) + " s",
-                     "must be from 0 s to 1e6 s");
+    throw InputError("VALUE", six_digits(wait.duration) + " s", "must be from 0 s to 1e6 s");
   all_.push_back({{}, Wait{wait.duration}, position()});
 }
 

@@ -12,6 +12,15 @@
 #include "jounce/profiles/error.hpp"
 
 namespace jounce {
+namespace {
+
+/// "for an acknowledgment of M6", or of the next step.
+std::string awaited(std::optional<std::int32_t> m_word) {
+  return "for an acknowledgment " +
+         (m_word ? "of M" + std::to_string(*m_word) : std::string("in single step"));
+}
+
+}  // namespace
 
 GroupServer::GroupServer(ExecutorOptions options, Receiver& receiver, MachineExchange& exchange,
                          std::size_t axis, Worker& worker,
@@ -60,7 +69,7 @@ void GroupServer::obey(const What& what, const CommandRequested& requested,
   if constexpr (is_path_command<What>) {
     if (requested.at >= 0)
       return decline(requested, Cause::no_start_tick,
-                     "a command of a group begins after those before it: leave out --at");
+                     "a command of a group begins after the commands before it: leave out --at");
     if (queue_.full()) return refuse_crowd(requested.session, requested.command);
     motion_session_ = requested.session;
     if (holds_to_run(requested.what)) held_session_ = requested.session;
@@ -100,7 +109,13 @@ void GroupServer::obey(const command::GroupAcknowledge& what, const CommandReque
                        const Request& request) {
   if (reject_at_tick(requested)) return;
   const auto m_word = queue_.m_word();
+  const bool waits = queue_.rests_because(last_) == Cause::awaits_acknowledge;
   Cause no = queue_.acknowledge(what.m_word);
+  if (no == Cause::no_handshake && waits)
+    return decline_with(requested, no,
+                        "the group waits " + awaited(m_word) + ", not of M" +
+                            std::to_string(what.m_word) + ": leave out --m-word" +
+                            (m_word ? ", or give " + std::to_string(*m_word) : std::string()));
   if (no == Cause::no_handshake && last_.state == State::error_stop) no = Cause::in_error;
   if (no == Cause::none && m_word) take_step(group_step::Announce{*m_word, false});
   answer(request, no == Cause::none ? std::nullopt : std::optional(Refusal{.cause = no}));
@@ -120,9 +135,8 @@ void GroupServer::obey(const command::Resume& /*what*/, const CommandRequested& 
     return static_cast<void>(pass_on(requested, request));
   const auto m_word = queue_.m_word();
   decline_with(requested, Cause::awaits_acknowledge,
-               "the group is not held: it waits for an acknowledgment " +
-                   (m_word ? "of M" + std::to_string(*m_word) : std::string("in single step")) +
-                   ": send `jounce order " + options_.receiver.executor + " acknowledge`");
+               "the group is not held: it waits " + awaited(m_word) + ": send `jounce order " +
+                   options_.receiver.executor + " acknowledge`");
 }
 
 void GroupServer::obey(const command::Override& what, const CommandRequested& requested,

@@ -29,8 +29,9 @@ constexpr std::array option_keys{
     "fast", "axis", "deviation", "corner_distance", "velocity", "acceleration", "deceleration",
     "jerk", "zyz",  "along",     "offset",          "rotation", "blend"};
 
-/// The option for a key; "" for another key.
+/// The option or argument for a key; "" for another key.
 std::string option_of(std::string key) {
+  if (key == "VALUE") return key;
   if (std::find(option_keys.begin(), option_keys.end(), key) == option_keys.end()) return "";
   std::replace(key.begin(), key.end(), '_', '-');
   return "--" + key;

@@ -54,7 +54,10 @@ std::string note_of(const CommandRequested& requested, const Tick& now, bool is_
     return note_of_override(override_of(requested), most, now);
   if (is_group && kind == Kind::disable && now.job != 0 && now.state != State::error_stop)
     return "the motion that stood still is dropped";
-  const bool begins = kind == Kind::resume || (is_group && info(kind).moves);
+  const bool is_move = kind == Kind::move_absolute || kind == Kind::move_relative ||
+                       kind == Kind::move_additive || kind == Kind::move_velocity ||
+                       kind == Kind::move_repetitive;
+  const bool begins = kind == Kind::resume || is_move || (is_group && info(kind).moves);
   if (begins && now.override_ == 0)
     return "the override is 0 %, so nothing moves until another override";
   if (is_group || requested.at >= 0 || now.later <= now.tick || !info(kind).moves) return "";

@@ -27,8 +27,9 @@ std::string numbers_of(const Tick& now, const std::string& unit, const AxisConfi
     return value ? std::string(" The limit is ") + key + " = " + valued(*value, per) + "." : "";
   };
   const auto required = [&](const char* per) {
-    return std::isfinite(now.fault_value) ? " It requires " + valued(now.fault_value, per) + "."
-                                          : "";
+    return std::isfinite(now.fault_value)
+               ? " The motion requires " + valued(now.fault_value, per) + "."
+               : "";
   };
   switch (now.fault) {
     case Cause::following_error:
@@ -172,29 +173,38 @@ std::string missing_part_text(Cause cause, const ExecutorOptions& options) {
            "machine spec, or [follow] to its own spec, and start the executor again";
   const std::string what = "the master of the axis sends no valid position: ";
   const std::string remedy =
-      "if it is an axis, enable it; otherwise start its program, or correct its unit";
+      "if it is an axis or a virtual master, enable it; otherwise start its program, or correct "
+      "its unit";
   return fitting(
       {what + remedy + ". `jounce monitor " + options.receiver.executor + "` shows the master",
        what + remedy});
 }
 
-/// The reason and its remedy, for an order that an endless motion prevents: the order that ends this
-/// motion. "" for another refusal. Without the name of the cause: `jounce order` adds no second remedy.
+/// The reason and its remedy, for an order that an endless or a held motion prevents: the order that
+/// ends this motion. "" for another refusal. Without the name of the cause: `jounce order` adds no second remedy.
 std::string endless_text(Cause cause, const Tick& now, const ExecutorOptions& options,
                          CommandKind order) {
-  if (cause != Cause::in_motion && cause != Cause::synchronized) return "";
+  const std::string halt = "`jounce order " + options.receiver.executor + " halt`";
   const bool endless = now.state == State::continuous_motion;
+  if (endless && order == CommandKind::finish && cause == Cause::no_movement)
+    return "a motion at constant velocity has no end to finish: end it with " + halt;
+  if (cause != Cause::in_motion && cause != Cause::synchronized) return "";
+  if (now.override_ == 0 && now.velocity == 0 && cause == Cause::in_motion)
+    return "the motion waits, because the override is 0 %: end it with " + halt +
+           ", or raise the override";
+  if (now.held && cause == Cause::in_motion)
+    return std::string("the ") + (options.group ? "group" : "axis") +
+           " is held on its path: end the motion with " + halt + ", or continue it with `resume`";
   const bool starts = order == CommandKind::arm || order == CommandKind::start;
   // Otherwise only a part of the motion prevents it, such as a clutch.
   if (permitted(now.state, order) != cause && !(endless && starts)) return "";
   if (!endless && now.state != State::synchronized_motion) return "";
-  const char* const motion = endless          ? "moves at a velocity without end"
-                             : now.ratio != 0 ? "follows its master by a gear"
-                                              : "follows its master";
-  const bool may_cut = options.cutter && !endless && now.ratio == 0;
-  return std::string("the axis ") + motion + ": end this with `jounce order " +
-         options.receiver.executor +
-         (may_cut ? " park`, or `halt` without a plan of cuts" : " halt`");
+  if (endless) return "the axis keeps a constant velocity: end the motion with " + halt;
+  if (now.ratio != 0) return "the axis follows its master by a gear: end the gear with " + halt;
+  const std::string follows = "the axis follows its master: end the coupling with ";
+  return options.cutter ? follows + "`jounce order " + options.receiver.executor +
+                              " park`, or `halt` without a plan of cuts"
+                        : follows + halt;
 }
 
 /// True for a motion whose start depends on the present position of a moving master. A table over
@@ -228,7 +238,7 @@ std::string start_position_text(const Refusal& refusal, const Tick& now,
       now.state == State::synchronized_motion || now.state == State::continuous_motion;
   if (endless) {
     const std::string halt =
-        "he axis moves without end: end this with " + order + " halt`, and repeat.";
+        "he axis keeps moving: send " + order + " halt`, and repeat the command.";
     return fitting({begins + ", but t" + halt, head + "T" + halt});
   }
   if (order_sent == CommandKind::start && begins_with_moving_master(refusal, now)) {
@@ -317,6 +327,10 @@ std::string refusal_text(const Refusal& refusal, const Tick& now, const Executor
   constexpr std::string_view either = "The axis or group ";
   if (const std::size_t at = words.find(either); at != std::string::npos)
     words.replace(at, either.size(), options.group ? "The group " : "The axis ");
+  if (refusal.cause == Cause::probe_window && options.axis.limits.position_min &&
+      options.axis.limits.position_max)
+    words += " The axis has the range " + in_units(*options.axis.limits.position_min, options) +
+             " to " + in_units(*options.axis.limits.position_max, options) + ".";
   if (refusal.cause == Cause::axis_away && options.group)
     add_tolerance(words, options.group->of.tolerance, unit);
   words = fitting({words, without_meaning(refusal.cause, words),

@@ -116,7 +116,9 @@ Form form_of(const CommandWords& words) {
           dashed(form.selector()), text_of(words, form.selector()),
           "cannot be combined with " + dashed(chosen->selector()) +
               (words.what == "jog" ? ": jog a group with --along and --velocity, an axis with VALUE"
-                                   : ": give only one of " + list));
+               : words.what == "set-position"
+                   ? ": set the position of a group with --to, of an axis with VALUE"
+                   : ": give only one of " + list));
     chosen = &form;
   }
   if (chosen == nullptr && forms.front().selector() == value_word) return forms.front();
@@ -183,8 +185,9 @@ std::string rule_for_number(const std::string& word, const Field& field, const s
                         field.quantity != Quantity::position;
   const std::string rule = broken_rule(field.range, value);
   if (rule.empty() || !is_limit || name == value_word) return rule;
-  return rule + (word == "home" ? "; leave it out to use [homing] of the axis's spec"
-                                : "; leave it out to use the limit of the axis");
+  return rule + (word == "home"       ? "; leave it out to use [homing] of the axis's spec"
+                 : is_of_groups(word) ? "; leave it out to use the limits of the path"
+                                      : "; leave it out to use the limit of the axis");
 }
 
 /// "50%" or "0.5", as a factor.
@@ -468,6 +471,15 @@ std::string meant_command(const std::string& name, const std::string& word) {
   return "";
 }
 
+std::string rule_of_axis(const std::string& name, const std::string& word) {
+  const std::string order = word == "jog"               ? "jog VELOCITY"
+                            : word == "set-position"    ? "set-position POSITION"
+                            : word.starts_with("move-") ? "move --to POSITION"
+                                                        : "";
+  return "is a single axis, without coordinates: name a group" +
+         (order.empty() ? "" : ", or send `jounce order " + name + " " + order + "`");
+}
+
 std::vector<CommandOption> command_options() {
   std::vector<std::string> words = command_words();
   // Those of move come first: the other words share them.
@@ -498,14 +510,23 @@ bool is_of_groups(const std::string& word) {
                      [](const Form& form) { return is_path_kind(form.command->kind); });
 }
 
+namespace {
+
+/// "--to 5 or --by 5", the options for a value of a command without VALUE; "" if it has neither.
+std::string meant_distance(const std::vector<std::string>& taken, const std::string& text) {
+  std::string options;
+  for (const char* const option : {"to", "by"})
+    if (std::find(taken.begin(), taken.end(), option) != taken.end())
+      options += (options.empty() ? "" : " or ") + dashed(option) + " " + text;
+  return options;
+}
+
+}  // namespace
+
 void require_taken(const CommandWords& words) {
   const std::vector<std::string> taken = taken_by(words.what);
   const auto require = [&](const std::string& option, const std::string& text, bool given) {
     if (!given || std::find(taken.begin(), taken.end(), option) != taken.end()) return;
-    if (option == value_word && words.what == move_word)
-      throw InputError(
-          dashed(option), text,
-          "does not apply to move: did you mean --to " + text + " or --by " + text + "?");
     if (option == value_word && !coordinate_option(words.what).empty())
       throw InputError(
           value_word, text,
@@ -516,6 +537,10 @@ void require_taken(const CommandWords& words) {
       throw InputError(value_word, text,
                        "does not apply to " + words.what + ": did you mean " +
                            option_for_value(words.what, taken.front(), text) + "?");
+    if (option == value_word && !meant_distance(taken, text).empty())
+      throw InputError(value_word, text,
+                       "does not apply to " + words.what + ": did you mean " +
+                           meant_distance(taken, text) + "?");
     throw InputError(dashed(option), text,
                      "does not apply to " + words.what +
                          (taken.empty() ? ", which takes no value and no option but --at"
@@ -643,6 +668,20 @@ CommandWords without_names(CommandWords words, const std::vector<std::string>& a
   return words;
 }
 
+/// The error of a value that is not the only one.
+InputError several_values(const std::string& word, const std::string& value) {
+  const std::vector<std::string> taken = taken_by(word);
+  const bool takes_one = std::find(taken.begin(), taken.end(), value_word) != taken.end();
+  const bool has_axes = !coordinate_option(word).empty();
+  if (!takes_one && !has_axes)
+    return {value_word, value, "does not apply to " + word + ", which takes no VALUE"};
+  return {value_word, value,
+          "is one of several values: give " +
+              std::string(!has_axes   ? "one value"
+                          : takes_one ? "one value, or coordinates such as x=10 y=5"
+                                      : "coordinates such as x=10 y=5")};
+}
+
 }  // namespace
 
 void set_values(CommandWords& words, const std::vector<std::string>& values) {
@@ -662,8 +701,7 @@ void set_values(CommandWords& words, const std::vector<std::string>& values) {
     if (value == "--") continue;
     const bool named = value.find('=') != std::string::npos;
     if (values.size() > static_cast<std::size_t>(ends_options) + 1 && !named)
-      throw InputError(value_word, value,
-                       "is one of several values: give one value, or coordinates such as x=10 y=5");
+      throw several_values(words.what, value);
     (named ? list : words.value) += (named && !list.empty() ? "," : "") + value;
   }
   if (words.what == "jog" && !text_of(words, "along").empty() && text_of(words, "velocity").empty())

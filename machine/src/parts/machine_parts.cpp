@@ -309,7 +309,12 @@ std::vector<Read> read_axes(const MachineOptions& options,
       read.push_back(std::move(one));
     }
   } else {
-    for (const std::string& file : options.files) read.push_back({.spec = read_spec(file)});
+    for (const std::string& file : options.files) {
+      if (options.files.size() > 1 && file != "-" && read_machine(file))
+        throw InputError("kind", "\"machine\"", "names its axes itself: run it without other specs")
+            .at(file);
+      read.push_back({.spec = read_spec(file)});
+    }
   }
   for (Read& one : read) {
     if (one.said_in != nullptr) continue;

@@ -2,6 +2,7 @@
 #include "jounce/machine/detail/outcome_text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string_view>
 
@@ -27,11 +28,26 @@ OutcomeJson common_members(const CallOutcome& outcome) {
 
 constexpr std::string_view no_remedy = "Nothing.";  ///< remedy of a cause that needs none
 
-/// The sentences of a refusal of the protocol in place of its name.
-std::string refusal_text(const CallOutcome& outcome) {
-  for (const wire::RefusalInfo& one : wire::all_refusals())
-    if (one.refusal == outcome.refusal && outcome.reason == one.name)
-      return outcome.reason + ": " + one.meaning + " " + one.remedy;
+/// The remedy with the name of the axis or group.
+std::string for_executor(std::string remedy, const std::string& executor) {
+  for (const std::string_view placeholder : {"NAME", "GROUP"})
+    for (auto at = remedy.find(placeholder); at != std::string::npos;
+         at = remedy.find(placeholder, at)) {
+      remedy.replace(at, placeholder.size(), executor);
+      at += executor.size();
+    }
+  return remedy;
+}
+
+/// The sentences of a refusal of the protocol in place of its name. An axis that is busy has no
+/// other reason.
+std::string refusal_text(const CallOutcome& outcome, const std::string& executor) {
+  constexpr const char* owned = "busy: the axis belongs to another session";
+  for (const wire::RefusalInfo& one : wire::all_refusals()) {
+    const bool is_plain = outcome.reason == one.name || outcome.reason == owned;
+    if (one.refusal == outcome.refusal && is_plain)
+      return std::string(one.name) + ": " + one.meaning + " " + for_executor(one.remedy, executor);
+  }
   return outcome.reason;
 }
 
@@ -79,13 +95,7 @@ std::string remedy_of(std::int32_t cause, const std::string& reason, const std::
       remedy =
           "Remove its cause, then send `jounce order NAME reset` and `jounce order NAME enable`.";
     if (remedy == no_remedy) return "";
-    for (const std::string_view placeholder : {"NAME", "GROUP"})
-      for (auto at = remedy.find(placeholder); at != std::string::npos;
-           at = remedy.find(placeholder, at)) {
-        remedy.replace(at, placeholder.size(), executor);
-        at += executor.size();
-      }
-    return remedy;
+    return for_executor(remedy, executor);
   }
   return "";
 }
@@ -99,7 +109,7 @@ std::string reason_and_remedy(const CallOutcome& outcome, const std::string& exe
         remedy_of(outcome.cause, outcome.reason.substr(homing.size()), executor, rejected, fault);
     return remedy.empty() ? outcome.reason : outcome.reason + " " + remedy;
   }
-  if (outcome.refusal != wire::Refusal::axis) return refusal_text(outcome);
+  if (outcome.refusal != wire::Refusal::axis) return refusal_text(outcome, executor);
   std::string reason = outcome.reason;
   constexpr std::string_view who = "axis: ";
   if (reason.starts_with(who)) reason.erase(0, who.size());
@@ -125,6 +135,9 @@ std::optional<Quantity> limited_quantity(std::int32_t cause) {
 /// "Give a lower --deceleration.", if the order gave the rejected number with an option.
 std::string remedy_of_option(const CallOutcome& outcome, const CommandWords& words,
                              const Units& units) {
+  if (static_cast<Cause>(outcome.cause) == Cause::no_such_move &&
+      outcome.reason.find(" is not in this direction from ") != std::string::npos)
+    return "Leave out --direction, or give a target on the other side.";
   const auto quantity = limited_quantity(outcome.cause);
   const auto value = refused_value(outcome.reason);
   const bool of_axis =
@@ -132,6 +145,21 @@ std::string remedy_of_option(const CallOutcome& outcome, const CommandWords& wor
   if (!quantity || !value || !of_axis) return "";
   const std::vector<std::string> options = options_with(words, *quantity, *value, units);
   return options.empty() ? "" : fmt::format("Give a lower {}.", fmt::join(options, " and "));
+}
+
+/// " The limit is --distance = 2 mm.": the option that ended a homing; "" for another end.
+std::string limit_of_homing(const CallOutcome& outcome, const CommandWords& words,
+                            const std::string& unit) {
+  if (words.what != "home" || outcome.ok()) return "";
+  const auto cause = static_cast<Cause>(outcome.cause);
+  const bool is_time = cause == Cause::home_timeout;
+  if (!is_time && cause != Cause::search_distance && cause != Cause::index_not_found) return "";
+  const std::string option = is_time ? "timeout" : "distance";
+  const auto given = words.options.find(option);
+  if (given == words.options.end() || given->second.empty()) return "";
+  const std::string of = is_time ? "s" : unit;
+  return " The limit is --" + option + " = " + six_digits(quantity(given->second, of)) +
+         (of.empty() ? "." : " " + of + ".");
 }
 
 /// The position of the master at which a gear in position begins to engage.
@@ -174,11 +202,22 @@ std::string reason_text(const CallOutcome& outcome, const std::string& executor,
 
 std::string reason_text(const CallOutcome& outcome, const CommandWords& words,
                         const wire::Status& before, const std::string& executor) {
-  return reason_and_remedy(outcome, executor, kind_of(words), before.last_error,
+  CallOutcome told = outcome;
+  told.reason += limit_of_homing(outcome, words, before.units.position);
+  return reason_and_remedy(told, executor, kind_of(words), before.last_error,
                            remedy_of_option(outcome, words, before.units));
 }
 
 namespace {
+
+/// True if set-limits has a limit.
+bool has_numbers(const CommandWords& words) {
+  constexpr std::array limits{"velocity", "acceleration", "deceleration", "jerk"};
+  return std::any_of(limits.begin(), limits.end(), [&](const char* option) {
+    const auto given = words.options.find(option);
+    return given != words.options.end() && !given->second.empty();
+  });
+}
 
 std::string plain_accepted_text(const CommandWords& words, const wire::Status& before,
                                 const std::string& executor) {
@@ -207,6 +246,8 @@ std::string plain_accepted_text(const CommandWords& words, const wire::Status& b
         "`jounce order {0} reset` and `jounce order {0} enable`. `jounce stop {0}` before disable "
         "avoids this",
         executor, name(Cause::disabled_in_motion));
+  if (word == "set-limits" && !has_numbers(words))
+    return word + " accepted: without values, it removes the limits of earlier set-limits";
   if (word != "enable" || before.last_error == 0) return word + " accepted";
   return fmt::format("enable accepted, but a fault remains: {}. Send `jounce order {} reset`",
                      name(static_cast<Cause>(before.last_error)), executor);

@@ -8,8 +8,10 @@ namespace {
 
 constexpr std::array entries{
     RefusalInfo{Refusal::none, "none", "Nothing is rejected.", "Nothing."},
-    RefusalInfo{Refusal::busy, "busy", "Another program owns the axis: its session is open.",
-                "Wait until the session of that program ends, or end the program."},
+    RefusalInfo{
+        Refusal::busy, "busy", "Another program owns the axis: its session is open.",
+        "Wait until that program ends, or stop the axis, which ends its session: `jounce stop "
+        "NAME`."},
     RefusalInfo{Refusal::unknown_session, "unknown_session",
                 "The executor does not have this session: it has restarted since.",
                 "Send the header again."},

@@ -49,7 +49,7 @@ TEST(GroupCommands, TheAnswerNamesAVelocityThatTheLimitsLower) {
   EXPECT_EQ(site.line(0, 0, {.along = {.velocity = 250}}).reason, "");
   site.advance(2s);
   EXPECT_THAT(site.order("plotter", command::GroupWait{-1}).reason,
-              HasSubstr("the time of the wait -1 s must be from 0 s to 1e6 s"));
+              HasSubstr("VALUE = -1 s: must be from 0 s to 1e6 s"));
 }
 
 /// A line of many corners.
@@ -391,7 +391,7 @@ TEST(GroupCommands, InvalidCommandsAreRejectedAndNothingMoves) {
   far.radius = 2;
   EXPECT_THAT(reason(far), HasSubstr("radius"));
   EXPECT_THAT(reason(command::GearIn{.numerator = 1, .denominator = 2}), HasSubstr("single_axis"));
-  EXPECT_THAT(reason(command::GroupWait{-1}), HasSubstr("the time of the wait -1 s must be"));
+  EXPECT_THAT(reason(command::GroupWait{-1}), HasSubstr("VALUE = -1 s: must be"));
   EXPECT_THAT(reason(command::GroupWait{1e9}), HasSubstr("must be from 0 s to 1e6 s"));
   command::MoveCircularRelative turns{.to = at(0, 10)};
   turns.radius = 5;

@@ -33,7 +33,9 @@ TEST_F(GroupHandshake, AnMWordRestsUntilItIsAcknowledged) {
   EXPECT_THAT(refused(command::Resume{}),
               HasSubstr("the group is not held: it waits for an acknowledgment of M6: send `jounce "
                         "order plotter acknowledge`"));
-  EXPECT_THAT(refused(command::GroupAcknowledge{.m_word = 5}), HasSubstr("no_handshake"));
+  EXPECT_THAT(refused(command::GroupAcknowledge{.m_word = 5}),
+              HasSubstr("the group waits for an acknowledgment of M6, not of M5: leave out "
+                        "--m-word, or give 6"));
   accepts(command::GroupAcknowledge{.m_word = 6});
   ends(2);
   EXPECT_EQ(site.last(x).position, 0);

@@ -30,7 +30,8 @@ TEST_F(GroupSent, AnMWordThatWaitsStopsAtItsPlaceUntilItIsAcknowledged) {
   EXPECT_EQ(place(), (At{20, 10})) << "M8 does not wait, M0 does";
   EXPECT_EQ(reason(), Cause::awaits_acknowledge);
   EXPECT_EQ(site.dispatcher.server(group).status().queue_rows, 2U) << "M0, and what follows it";
-  EXPECT_THAT(refused(command::GroupAcknowledge{.m_word = 8}), HasSubstr("no_handshake"));
+  EXPECT_THAT(refused(command::GroupAcknowledge{.m_word = 8}),
+              HasSubstr("waits for an acknowledgment of M0, not of M8"));
   EXPECT_THAT(stream(lines({{30, 10}})).reason, HasSubstr("awaits_acknowledge"));
   EXPECT_THAT(refused(command::StartTable{}), HasSubstr("awaits_acknowledge"));
   site.advance(1s);

@@ -95,8 +95,9 @@ TEST(Notices, ReportTheNumbersOfAFault) {
   config.limits.acceleration = 10000;
   now.fault = Cause::overacceleration;
   now.fault_value = 20700;
-  EXPECT_THAT(fault_text(now, "mm", config),
-              HasSubstr("It requires 20700 mm/s^2. The limit is acceleration = 10000 mm/s^2."));
+  EXPECT_THAT(
+      fault_text(now, "mm", config),
+      HasSubstr("The motion requires 20700 mm/s^2. The limit is acceleration = 10000 mm/s^2."));
   now.fault = Cause::jump;
   EXPECT_THAT(fault_text(now, "mm", config),
               HasSubstr("The limit is stop_acceleration = 20000 mm/s^2."))
@@ -279,22 +280,31 @@ TEST(Notices, ARejectionInAnEndlessMotionNamesTheOrderThatEndsIt) {
   };
   Tick now{.state = State::continuous_motion};
   EXPECT_EQ(reason(now, CommandKind::set_position),
-            "the axis moves at a velocity without end: end this with `jounce order roller halt`");
+            "the axis keeps a constant velocity: end the motion with `jounce order roller halt`");
   EXPECT_EQ(refusal_text({Cause::in_motion}, now, options, CommandKind::arm),
             reason(now, CommandKind::set_position))
       << "a table cannot wait for the end of a jog";
+  EXPECT_EQ(reason(now, CommandKind::finish),
+            "a motion at constant velocity has no end to finish: end it with `jounce order roller "
+            "halt`");
+  EXPECT_EQ(reason({.state = State::discrete_motion, .held = true}, CommandKind::home),
+            "the axis is held on its path: end the motion with `jounce order roller halt`, or "
+            "continue it with `resume`");
+  EXPECT_THAT(reason({.state = State::discrete_motion, .override_ = 0}, CommandKind::home),
+              HasSubstr("because the override is 0 %: end it with `jounce order roller halt`"));
   now.state = State::synchronized_motion;
   EXPECT_EQ(reason(now, CommandKind::home),
-            "the axis follows its master: end this with `jounce order roller halt`");
+            "the axis follows its master: end the coupling with `jounce order roller halt`");
   options.cutter.emplace();
-  EXPECT_EQ(reason(now, CommandKind::start_table),
-            "the axis follows its master: end this with `jounce order roller park`, or `halt` "
-            "without a plan of cuts")
+  EXPECT_EQ(
+      reason(now, CommandKind::start_table),
+      "the axis follows its master: end the coupling with `jounce order roller park`, or `halt` "
+      "without a plan of cuts")
       << "halt would leave a knife in the web";
   options.cutter.reset();
   now.ratio = 2;
   EXPECT_EQ(reason(now, CommandKind::move_repetitive),
-            "the axis follows its master by a gear: end this with `jounce order roller halt`");
+            "the axis follows its master by a gear: end the gear with `jounce order roller halt`");
   EXPECT_THAT(refusal_text({Cause::in_motion}, now, options, CommandKind::gear_in),
               ::testing::StartsWith("in_motion: "))
       << "its clutch ends";

@@ -36,6 +36,10 @@ const std::vector<std::string>& command_words();
 /// probably meant: "is a verb of its own: did you mean jounce stop feeder?". Otherwise returns "".
 /// `name`: the name of the executor, as given.
 std::string meant_command(const std::string& name, const std::string& word);
+/// Returns the rule for the name of a single axis in an order with coordinates, with the order of an
+/// axis in its place: "is a single axis, without coordinates: name a group, or send `jounce order
+/// feeder jog VELOCITY`".
+std::string rule_of_axis(const std::string& name, const std::string& word);
 
 /// Form in which the text of an option gives a value.
 enum class OptionForm : std::uint8_t {
