@@ -158,7 +158,8 @@ TEST(GearSpec, RejectsInTheWordsOfTheDocument) {
   EXPECT_THAT(refusal(position + "master_end = 900\n"),
               testing::StrEq(
                   "g.toml:9:25: gear.master_start_distance = 400 deg: makes the slave reverse: use "
-                  "master_start_distance from 166.667 deg to 250 deg, or set avoid_reversal = false (error 777 of the PMC600)"));
+                  "master_start_distance from 166.667 deg to 250 deg, or set avoid_reversal = "
+                  "false (error 777 of the PMC600)"));
   EXPECT_THAT(refusal(position + "master_end = 900\nslave_period = 30\n"), testing::StrEq(""));
   EXPECT_THAT(refusal(position + "master_end = 900\nslave_period = 1\n"),
               testing::HasSubstr("776"));

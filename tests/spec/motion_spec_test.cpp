@@ -745,7 +745,8 @@ INSTANTIATE_TEST_SUITE_P(
                   "a.toml: limits: do not limit the motion: add velocity, acceleration or jerk"},
         BadMotion{
             move_spec(s_curve_lines, "[[then]]\noperator = \"override\"\n[limits]\njerk = 100"),
-            "a.toml:13:1: limits: need a velocity, an acceleration and a jerk: add what is missing"},
+            "a.toml:13:1: limits: need a velocity, an acceleration and a jerk: add what is "
+            "missing"},
         BadMotion{move_spec(s_curve_lines,
                             "[[then]]\noperator = \"override\"\n"
                             "request = [{ time = 2, factor = 2 }]\n" +
@@ -765,7 +766,8 @@ INSTANTIATE_TEST_SUITE_P(
                       "acceleration = 1",
                   "a.toml:24:12: then[1].operator: works with a single axis only"},
         BadMotion{std::string(axes_spec) + "[[then]]\noperator = \"override\"",
-                  "a.toml:11:10: axis[1].limits: need a velocity, an acceleration and a jerk: add what is missing"}));
+                  "a.toml:11:10: axis[1].limits: need a velocity, an acceleration and a jerk: add "
+                  "what is missing"}));
 
 std::vector<std::filesystem::path> generator_examples() {
   std::vector<std::filesystem::path> all;

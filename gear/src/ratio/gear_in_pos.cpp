@@ -177,13 +177,13 @@ SyncCam sync_cam(const GearInPos& gear, double from, double to) {
   const double first = gear.curve->start();
   const double last = gear.curve->end();
   if (!(from <= first))
-    throw InputError("master_start", from,
-                     "is past " + six_digits(first) +
-                         ", the start of the engagement (master_sync_position minus "
-                         "master_start_distance): begin there" +
-                         (last > from ? ", or give master_start_distance at most " +
-                                            six_digits_down(last - from)
-                                      : ", or give a later master_sync_position"));
+    throw InputError(
+        "master_start", from,
+        "is past " + six_digits(first) +
+            ", the start of the engagement (master_sync_position minus "
+            "master_start_distance): begin there" +
+            (last > from ? ", or give master_start_distance at most " + six_digits_down(last - from)
+                         : ", or give a later master_sync_position"));
   if (!(to >= last))
     throw InputError("master_end", to,
                      "must not be before the end of the engagement, " + six_digits(last));

@@ -116,8 +116,9 @@ class Overlapping {
             .at({}, p.line);
     for (const PathPiece& p : route_.path.pieces())
       if (p.kind != PieceKind::line)
-        throw InputError("overlap", "",
-                         "is possible between lines only, and this command is not a line: leave out overlap")
+        throw InputError(
+            "overlap", "",
+            "is possible between lines only, and this command is not a line: leave out overlap")
             .at({}, p.line);
   }
 

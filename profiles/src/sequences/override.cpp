@@ -76,7 +76,8 @@ Path planned(std::span<const Trajectory> axes, std::span<const Limits> limits, d
       throw InputError(key, number(axes[i].start()) + " to " + number(axes[i].end()),
                        "must have the interval of axis[1]");
     if (!limits[i].velocity || !limits[i].acceleration || !limits[i].jerk)
-      throw InputError(key + ".limits", "", "need a velocity, an acceleration and a jerk: add what is missing");
+      throw InputError(key + ".limits", "",
+                       "need a velocity, an acceleration and a jerk: add what is missing");
     require_kept(key, axes[i], limits[i]);
     require_no_step(key, axes[i], factor);
     path.axes.push_back(with(axes[i], Extrapolation::hold));

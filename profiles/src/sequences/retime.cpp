@@ -30,7 +30,8 @@ double least_stretch(std::span<const Trajectory> axes, std::span<const Limits> l
     k = std::max({k, used(1, limits[i].velocity), std::sqrt(used(2, limits[i].acceleration)),
                   std::cbrt(used(3, limits[i].jerk))});  // (1)
   }
-  if (!(k > 0)) throw InputError("limits", "", "do not limit the motion: add velocity, acceleration or jerk");
+  if (!(k > 0))
+    throw InputError("limits", "", "do not limit the motion: add velocity, acceleration or jerk");
   return k;
 }
 

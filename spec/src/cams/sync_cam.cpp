@@ -46,10 +46,10 @@ InputError must_reverse(const GearInPosSpec& spec, GearInPosStatus status) {
   const EngageWindow window = engage_window(spec);
   const bool forward = spec.numerator > 0;  // the denominator is
   const std::string remedy =
-      window.exists
-          ? "use master_start_distance from " + six_digits_up(window.least) + " to " + six_digits_down(window.greatest)
-          : std::string("slave_start must be ") + (forward ? "below" : "above") +
-                " slave_sync_position = " + number(spec.slave_sync_position);
+      window.exists ? "use master_start_distance from " + six_digits_up(window.least) + " to " +
+                          six_digits_down(window.greatest)
+                    : std::string("slave_start must be ") + (forward ? "below" : "above") +
+                          " slave_sync_position = " + number(spec.slave_sync_position);
   return {"master_start_distance", spec.master_start_distance,
           std::string("makes the slave reverse") +
               (spec.slave_period ? ", even with five more turns" : "") + ": " + remedy +

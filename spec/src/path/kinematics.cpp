@@ -58,10 +58,10 @@ Kinematics read_scara(TomlReader& table, const PathAxes& axes) {
   std::vector<std::string> units(axes.path_axes, length);
   if (third) units.emplace_back("deg");
   if (axes.path_axes != 2 && axes.path_axes != 3) units.clear();
-  require_axes(table, axes, units,
-               third
-                   ? "x, y, with or without z, and a follower in deg (the direction of the last arm)"
-                   : "x, y, with or without z");
+  require_axes(
+      table, axes, units,
+      third ? "x, y, with or without z, and a follower in deg (the direction of the last arm)"
+            : "x, y, with or without z");
   if (const auto elbow = table.optional_choice("elbow", elbows))
     spec.elbow = *elbow == 0 ? Elbow::right : Elbow::left;
   if (table.has("offsets")) spec.offsets = table.number_list("offsets", "deg");
