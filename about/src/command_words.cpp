@@ -200,6 +200,11 @@ bool looks_like_option(const std::string& word) {
   return word.size() > 1 && word[0] == '-' && (word[1] == '-' || std::isalpha(word[1]) != 0);
 }
 
+void require_value(const std::string& name, const std::string& text) {
+  if (name[0] == '-' && looks_like_option(text))
+    throw InputError(name, "", "has no value after it");
+}
+
 std::vector<std::string> meant_words(std::span<const char* const> given) {
   std::vector<std::string> words(given.begin(), given.end());
   const auto end = std::find(words.begin(), words.end(), "--");

@@ -17,12 +17,6 @@ std::string name_of(const CLI::Option& option) {
   return option.get_lnames().empty() ? option.get_name(true) : "--" + option.get_lnames().front();
 }
 
-/// Rejects the option that follows an option without its value.
-void require_value(const std::string& name, const std::string& text) {
-  if (name[0] == '-' && looks_like_option(text))
-    throw InputError(name, "", "has no value after it");
-}
-
 }  // namespace
 
 const Option& Option::required() const {

@@ -14,6 +14,10 @@ namespace jounce {
 /// True for "-x" and "--x"; false for "-" and for a negative number.
 bool looks_like_option(const std::string& word);
 
+/// Throws InputError if the value `text` of the option `name` is the next option: the option has no
+/// value. The name of an argument, such as FILE, has no "-".
+void require_value(const std::string& name, const std::string& text);
+
 /// Returns the words as the user means them: -.5 becomes -0.5, because a parser would read -.5 as
 /// an option. The words after "--" stay. Throws InputError for an empty word, and for "--log=",
 /// which has no value.
