@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "jounce/controllers/table_target.hpp"
+#include "jounce/design/detail/count_sizes.hpp"
 
 #include "cli/common/input.hpp"
 #include "cli/common/option_names.hpp"
@@ -31,20 +32,21 @@ struct ConvertArguments {
 };
 
 Conversion conversion_of(const ConvertArguments& options, const TableForm& form,
-                         const Input& input) {
+                         const CountedInput& given) {
   Conversion wanted{.rule = rule_for(form, interpolation_named(options.rule),
-                                     options.target.controller, input.table.table),
+                                     options.target.controller, given.input.table.table),
                     .intervals = options.intervals,
                     .units = {options.master_unit, options.position_unit},
                     .periodic = options.periodic,
-                    .format = form.format};
+                    .format = form.format,
+                    .given_counts = given.sizes};
   if (options.target.any())
-    wanted.target = target_of(options.target, input.table.table.axis(), *wanted.rule,
-                              input.labels.units, option_of);
+    wanted.target = target_of(options.target, given.input.table.table.axis(), *wanted.rule,
+                              given.input.labels.units, option_of);
   return wanted;
 }
 
-int run_convert(const ConvertArguments& options) {
+int run_convert(ConvertArguments options) {
   std::FILE* out = text_stream(options.json, {options.output});
   const TableForm form = table_form(options.to, options.output);
   if (options.to.empty()) under_option("OUT", [&] { require_known_ending(options.output); });
@@ -52,14 +54,18 @@ int run_convert(const ConvertArguments& options) {
     throw InputError("--rule", options.rule,
                      "applies to csv, json, lcm-log and mcap only: this format has its own rule");
   require_other_file(options.input, options.output, "OUT");
-  const Input input =
-      only_one(over(options.over, load_axes(options.input, options.axis, options.decimal_comma)),
-               options.input);
+  const CountedInput given = with_option_names({"x_step", "p_step"}, [&] {
+    return in_units_of_counts(
+        only_one(over(options.over, load_axes(options.input, options.axis, options.decimal_comma)),
+                 options.input),
+        options.target, {options.master_unit, options.position_unit}, form.format);
+  });
+  const Input& input = given.input;
   Conversion wanted;
   const Converted made = with_option_names(
       {"tolerance", "velocity_tolerance", "most", "spacing", "x_step", "p_step", "v_step",
        "intervals", "format", "master_unit", "position_unit"},
-      [&] { return converted(input, wanted = conversion_of(options, form, input)); });
+      [&] { return converted(input, wanted = conversion_of(options, form, given)); });
   const bool writes = made.keeps() || options.allow_loss;
   const std::string text = with_option_names({"every", "master_unit", "position_unit"}, [&] {
     return form_text(form, made.file, options.every);
@@ -91,9 +97,12 @@ std::array<Option, 8> add_target_options(const Verb& verb, TargetTexts& texts) {
                   "Maximum number of new knots; without a tolerance, the table with the smallest "
                   "error, or close to it"),
       verb.option("--spacing", texts.spacing, "Least distance between new knots"),
-      verb.option("--resolution", texts.x_step, "New knots at multiples of this, such as 1ms"),
+      verb.option("--resolution", texts.x_step,
+                  "New knots at multiples of this, such as 1ms; for IN in counts: the size of a "
+                  "count of the first column, such as 0.01deg"),
       verb.option("--position-resolution", texts.p_step,
-                  "Round the positions of the new knots to multiples of this, such as 1pulse"),
+                  "Round the positions of the new knots to multiples of this, such as 1pulse; "
+                  "for IN in counts: the size of a count, such as 1um"),
       verb.option("--velocity-resolution", texts.v_step,
                   "Round the velocities of the new knots to multiples of this")};
 }
