@@ -194,6 +194,16 @@ std::string meant_option(const std::string& name, const ProgramInfo& program,
   return verbs_with(program, name);
 }
 
+/// The error of `--` in words that the program cannot read.
+std::string misplaced_dashes(std::span<const char* const> given,
+                             const std::vector<std::string>& options) {
+  const auto dashes = std::find(given.begin(), given.end(), std::string("--"));
+  for (auto word = dashes + 1; word < given.end(); ++word)
+    if (const std::string text = *word; contains(options, text.substr(0, text.find('='))))
+      return "`--` ends the options: write " + text + " before it";
+  return "`--` is not needed before a negative number: leave it out";
+}
+
 }  // namespace
 
 bool looks_like_option(const std::string& word) {
@@ -241,7 +251,7 @@ std::string wrong_option(std::span<const char* const> given,
   if (const std::string pair = number_and_unit(given); !pair.empty())
     return "`" + pair + "` is one value: write it without a space";
   for (const std::string word : given) {
-    if (word == "--") return "`--` is not needed before a negative number: leave it out";
+    if (word == "--") return misplaced_dashes(given, options);
     const std::string name = word.substr(0, word.find('='));
     if (!looks_like_option(name) ||
         std::find(options.begin(), options.end(), name) != options.end())

@@ -75,10 +75,10 @@ int run_executor(const RunArguments& options) {
   const auto missing = missing_parts(summary, options.machine.log);
   for (const std::string& part : missing) fmt::print(stderr, "jounce: {}\n", part);
   if (!missing.empty()) return fault;
-  const bool unplayed = options.run.once && !summary.has_played();
-  if (unplayed && !summary.has_fault())
-    fmt::print(stderr, "jounce: --once: the run ended before a motion\n");
-  return summary.has_fault() || unplayed ? finding : fine;
+  if (summary.has_fault() || !options.run.once || summary.has_played())
+    return summary.has_fault() ? finding : fine;
+  fmt::print(stderr, "jounce: --once: the run ended before a motion\n");
+  return finding;
 }
 
 }  // namespace

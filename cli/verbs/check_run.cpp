@@ -92,16 +92,15 @@ int check_files(const std::string& verb, const CheckRun& run, const Examine& exa
 
 void require_one_file(const CheckRun& run, const char* option, const std::string& value) {
   if (value.empty() || run.is_one_answer()) return;
-  const std::string other = run.format != "text"    ? "--format"
-                            : run.quiet             ? "--quiet"
-                            : !run.baseline.empty() ? "--baseline"
-                                                    : "";
-  throw InputError(option, value,
-                   run.files.size() > 1 || !is_one_file(run.file())
-                       ? "applies to a single file: give one file, or leave it out"
-                   : other.empty()
-                       ? "applies to a motion, but this file has none: leave it out"
-                       : "cannot be combined with " + other + ": leave out one of them");
+  if (run.files.size() > 1 || !is_one_file(run.file()))
+    throw InputError(option, value, "applies to a single file: give one file, or leave it out");
+  for (const auto& [other, given] : {std::pair{"--format", run.format != "text"},
+                                     {"--quiet", run.quiet},
+                                     {"--baseline", !run.baseline.empty()}})
+    if (given)
+      throw InputError(option, value,
+                       std::string("cannot be combined with ") + other + ": leave out one of them");
+  throw InputError(option, value, "applies to a motion, but this file has none: leave it out");
 }
 
 }  // namespace jounce::cli

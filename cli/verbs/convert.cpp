@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "jounce/controllers/table_target.hpp"
+#include "jounce/design/detail/count_sizes.hpp"
 
 #include "cli/common/input.hpp"
 #include "cli/common/option_names.hpp"
@@ -30,37 +31,30 @@ struct ConvertArguments {
   bool allow_loss = false, json = false;
 };
 
-Conversion conversion_of(const ConvertArguments& options, const TableForm& form,
-                         const Input& input) {
-  Conversion wanted{.rule = rule_for(form, interpolation_named(options.rule),
-                                     options.target.controller, input.table.table),
-                    .intervals = options.intervals,
-                    .units = {options.master_unit, options.position_unit},
-                    .periodic = options.periodic,
-                    .format = form.format};
-  if (options.target.any())
-    wanted.target = target_of(options.target, input.table.table.axis(), *wanted.rule,
-                              input.labels.units, option_of);
-  return wanted;
-}
-
-int run_convert(const ConvertArguments& options) {
+int run_convert(ConvertArguments options) {
   std::FILE* out = text_stream(options.json, {options.output});
   const TableForm form = table_form(options.to, options.output);
   if (options.to.empty()) under_option("OUT", [&] { require_known_ending(options.output); });
-  if (form.format != nullptr && !options.rule.empty())
-    throw InputError("--rule", options.rule,
-                     "applies to csv, json, lcm-log and mcap only: this format has its own rule");
   require_other_file(options.input, options.output, "OUT");
-  const Input input =
+  Input read =
       only_one(over(options.over, load_axes(options.input, options.axis, options.decimal_comma)),
                options.input);
-  Conversion wanted;
+  const CountedInput given = with_option_names({"x_step", "p_step"}, [&] {
+    return in_units_of_counts(std::move(read), options.target,
+                              {options.master_unit, options.position_unit}, form.format);
+  });
+  const Input& input = given.input;
+  Conversion wanted{.intervals = options.intervals,
+                    .units = {options.master_unit, options.position_unit},
+                    .periodic = options.periodic};
   const Converted made = with_option_names(
       {"tolerance", "velocity_tolerance", "most", "spacing", "x_step", "p_step", "v_step",
        "intervals", options.to.empty() ? "" : "format", "master_unit", "position_unit", "rule",
        "controller"},
-      [&] { return converted(input, wanted = conversion_of(options, form, input)); });
+      [&] {
+        complete(wanted, form, interpolation_named(options.rule), options.target, given, option_of);
+        return converted(input, wanted);
+      });
   const bool writes = made.keeps() || options.allow_loss;
   const std::string text = with_option_names({"every", "master_unit", "position_unit"}, [&] {
     return form_text(form, made.file, options.every);
@@ -77,12 +71,10 @@ int run_convert(const ConvertArguments& options) {
 
 /// The options for a table of fewest knots: the keys of [table].
 std::array<Option, 8> add_target_options(const Verb& verb, TargetTexts& texts) {
-  std::vector<std::string> names;
-  for (const ControllerTable& each : controller_tables()) names.emplace_back(each.name);
   return {
       verb.option("--controller", texts.controller,
                   "New knots: the best table that this controller can use")
-          .check(one_of(names)),
+          .check(one_of(controller_names())),
       verb.option(
           "--tolerance", texts.tolerance,
           "New knots: the fewest that keep the position within this tolerance; default: unchanged"),
@@ -92,9 +84,12 @@ std::array<Option, 8> add_target_options(const Verb& verb, TargetTexts& texts) {
                   "Maximum number of new knots; without a tolerance, the table with the smallest "
                   "error, or close to it"),
       verb.option("--spacing", texts.spacing, "Least distance between new knots"),
-      verb.option("--resolution", texts.x_step, "New knots at multiples of this, such as 1ms"),
+      verb.option("--resolution", texts.x_step,
+                  "New knots at multiples of this, such as 1ms; for IN in counts: the size of a "
+                  "count of the first column, such as 0.01deg"),
       verb.option("--position-resolution", texts.p_step,
-                  "Round the positions of the new knots to multiples of this, such as 1pulse"),
+                  "Round the positions of the new knots to multiples of this, such as 1pulse; "
+                  "for IN in counts: the size of a count, such as 1um"),
       verb.option("--velocity-resolution", texts.v_step,
                   "Round the velocities of the new knots to multiples of this")};
 }

@@ -30,9 +30,7 @@ void draw(const std::string& path, const FileDifference& difference) {
   if (difference.axes.size() > 1)
     throw InputError("--output", path, "shows one axis: name it with --axis");
   const auto& [before, after] = difference.axes.front();
-  std::vector<std::string> read = before.files;
-  read.insert(read.end(), after.files.begin(), after.files.end());
-  write_picture(path, figure_of(after, before), read);
+  write_picture(path, figure_of(after, before), difference.files());
 }
 
 int run_diff(const DiffArguments& options) {

@@ -30,6 +30,12 @@ constexpr std::array known{
 
 }  // namespace
 
+std::vector<std::string> controller_names() {
+  std::vector<std::string> names;
+  for (const ControllerTable& each : controller_tables()) names.emplace_back(each.name);
+  return names;
+}
+
 std::span<const ControllerTable> controller_tables() {
   return known;
 }

@@ -143,10 +143,11 @@ class AxisClient {
     options.total = nanos(timeout);
     StreamProgress now;
     options.progress = [&](const StreamProgress& p) { now = p; };
+    bool cancelled = false;
     options.cancelled = [&] {
       const double done =
           now.chunks == 0 ? 0 : static_cast<double>(now.arrived) / static_cast<double>(now.chunks);
-      return !watch(done, name(now.stage));
+      return cancelled = !watch(done, name(now.stage));
     };
     const CallOutcome outcome = [&]() -> CallOutcome {
       const py::gil_scoped_release release;
@@ -161,6 +162,7 @@ class AxisClient {
     }();
     watch.rethrow();
     require_ok(outcome, axis_);
+    if (cancelled) throw InputError("progress", "False", "has stopped the motion");
   }
 
  private:
@@ -400,7 +402,8 @@ source: a Design, a Table in s, or the path of a file. master: for a cam table, 
 time. live: the
 cam follows the live master of the axis. wait: returns when the motion has begun, otherwise when the start is
 accepted.
-progress: called with (done, stage); if it returns False, or after Ctrl-C, the axis stops.)")
+progress: called with (done, stage). If it returns False, or after Ctrl-C, the axis stops, and InputError or
+KeyboardInterrupt is raised.)")
       .def("__repr__", [](const AxisClient& k) {
         return shown("Client", {{"axis", "'" + k.axis() + "'"}, {"url", "'" + k.url() + "'"}});
       });

@@ -41,6 +41,13 @@ TEST(CommandWords, ANegativeNumberNeedsNoDashes) {
             "`--` is not needed before a negative number: leave it out");
 }
 
+TEST(CommandWords, DashesEndTheOptions) {
+  EXPECT_EQ(wrong_option(Words{"--", "-file.toml", "-o", "x.csv"}, {"-o"}, {}, "design"),
+            "`--` ends the options: write -o before it");
+  EXPECT_EQ(wrong_option(Words{"--", "-file.toml", "--out=x.csv"}, {"--out"}, {}, "design"),
+            "`--` ends the options: write --out=x.csv before it");
+}
+
 TEST(CommandWords, NameTheNearestVerb) {
   const std::vector<std::string> verbs{"check", "design"};
   EXPECT_EQ(wrong_verb(Words{}, verbs), "the verb is missing");

@@ -14,6 +14,7 @@ namespace {
 
 TEST(Units, ConvertWhatMeasuresTheSame) {
   EXPECT_DOUBLE_EQ(conversion("mm", "m"), 1e-3);
+  EXPECT_DOUBLE_EQ(conversion("nm", "um"), 1e-3);
   EXPECT_DOUBLE_EQ(conversion("rev", "deg"), 360);
   EXPECT_DOUBLE_EQ(conversion("pulse/ms", "pulse/s"), 1000);
   EXPECT_DOUBLE_EQ(conversion("rpm", "rad/s"), 2 * std::numbers::pi / 60);

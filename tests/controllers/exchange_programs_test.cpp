@@ -212,6 +212,29 @@ TEST(Hmpl, ReadsTheArraysThatTheProgramPasses) {
                         "numbers to t, or to a name with time"));
 }
 
+// The last comma is legal in C.
+TEST(Hmpl, ReadsAListWithACommaAtItsEnd) {
+  const Columns c =
+      columns("double t[2] = {\n 0,\n 100,\n};\ndouble p[2] = {0, 5,};\ndouble v[2] = {0, 0, };\n");
+  EXPECT_THAT(c.x, ElementsAre(0, 100));
+  EXPECT_THAT(c.p, ElementsAre(0, 5));
+  EXPECT_THAT(complaint("double t[2] = {0, , 1};"), HasSubstr("must be a finite number"));
+}
+
+TEST(Hmpl, RejectsACallWithAnotherNumberOfPoints) {
+  const auto program = [](const std::string& arguments) {
+    return "double t[3] = {0, 100, 250}, p[3] = {0, 2.5, 20};\ndouble v[3] = {0, 60, "
+           "0};\nMovePVT(" +
+           arguments + ", t, p, v);\n";
+  };
+  EXPECT_EQ(
+      complaint(program("0, 2")),
+      "t:3: MovePVT = 0, 2: does not contain 3, the number of values in each array: make the call "
+      "and the arrays agree");
+  for (const char* arguments : {"0, 3", "axis, 2", "0, points", "0"})
+    EXPECT_EQ(columns(program(arguments)).x.size(), 3U) << arguments;
+}
+
 TEST(Hmpl, ReadsTheArraysOfTheManual) {
   // Manual 5.2.8.
   const auto tables = parse_exchange_tables(

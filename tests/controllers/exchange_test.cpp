@@ -190,6 +190,19 @@ TEST(Exchange, ReadsColumnsHoweverTheyAreSeparated) {
   }
 }
 
+TEST(Exchange, ReadsCommentsAndSeparatorsAtTheEndOfALine) {
+  for (const char* text : {"0 0 // start\n1 2 // end\n", "0 0 //start\n1 2\n", "0;0;\n1;2;\n",
+                           "0;0\n1;2;  // end\n", "0, 0,\n1, 2,\n"}) {
+    const TableFile file = parse_exchange(text, "t");
+    EXPECT_EQ(file.table.columns().x, (std::vector<double>{0, 1})) << text;
+    EXPECT_EQ(file.table.columns().p, (std::vector<double>{0, 2})) << text;
+    EXPECT_EQ(file.table.rule(), Interpolation::linear) << text;
+  }
+  EXPECT_EQ(parse_exchange("0;0;0;0;\n1;2;0;0;\n", "t").table.rule(),
+            Interpolation::quintic_hermite);
+  EXPECT_NE(complaint("0;0;;\n1;2;;\n"), "");
+}
+
 TEST(Exchange, ReadsDecimalCommasOnlyWhereTheyAreMeant) {
   EXPECT_EQ(complaint("0 0\n1 0,5\n"),
             "t:2: Y = \"0,5\": has a decimal comma: write 0.5, or convert the file with "

@@ -60,6 +60,12 @@ class Stream(unittest.TestCase):
             self.assertAlmostEqual(axis.status().position, 40, delta=1e-9)
             self.assertEqual(axis.status().finished, 2)
             self.assertTrue(stages)
+            back = jounce.Table(t, 50 - motion.position, -motion.velocity, x_unit="s", position_unit="mm")
+            with self.assertRaises(jounce.InputError) as ended:
+                axis.stream(back, progress=lambda done, stage: False)
+            self.assertEqual(ended.exception.key, "progress")
+            self.assertEqual(axis.wait_for_rest(20), "standstill")
+            self.assertAlmostEqual(axis.status().position, 40, delta=1e-9)
             with self.assertRaises(jounce.AxisError) as caught:  # a table that begins elsewhere would be a step
                 axis.stream(table)
             self.assertEqual(caught.exception.refusal, "start_position")

@@ -24,6 +24,12 @@ std::vector<std::string_view> split(std::string_view line, const char* separator
   }
 }
 
+/// The cells without the empty cell after a separator at the end of the line.
+std::vector<std::string_view> without_empty_end(std::vector<std::string_view> cells) {
+  if (cells.size() > 1 && cells.back().empty()) cells.pop_back();
+  return cells;
+}
+
 bool begins_with_number(std::string_view cell) {
   cell = cell.substr(0, cell.find(','));  // cuts a decimal comma
   return csv_number(cell).has_value();
@@ -128,12 +134,12 @@ std::string row_text(const Columns& c, std::size_t knot, char separator, bool ra
 }  // namespace
 
 std::vector<std::string_view> column_cells(std::string_view line) {
-  if (line.find(';') != line.npos) return split(line, ";", false);
+  if (line.find(';') != line.npos) return without_empty_end(split(line, ";", false));
   if (line.find('\t') != line.npos) return split(line, "\t", true);
   const auto words = split(line, " ", true);
   const bool listed = std::all_of(words.begin(), words.end() - (words.empty() ? 0 : 1),
                                   [](std::string_view word) { return word.ends_with(','); });
-  return listed && line.find(',') != line.npos ? split(line, ",", false) : words;
+  return listed && line.find(',') != line.npos ? without_empty_end(split(line, ",", false)) : words;
 }
 
 std::vector<std::string_view> first_cells(std::string_view text) {
@@ -141,7 +147,7 @@ std::vector<std::string_view> first_cells(std::string_view text) {
   const auto first = std::find_if(lines.begin(), lines.end(),
                                   [](const Line& line) { return !is_comment(line.text); });
   if (first == lines.end()) return {};
-  auto cells = column_cells(first->text);
+  auto cells = column_cells(without_comment(first->text));
   const bool header = cells.size() > 1 && (cells[0] == "X" || cells[0] == "x");
   const bool knot = begins_with_number(cells[0]) && first->text.find('=') == std::string::npos;
   if (!header && !knot) cells.clear();

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "jounce/base/detail/csv.hpp"
+#include "jounce/base/detail/listed.hpp"
 #include "jounce/profiles/error.hpp"
 
 #include "controllers/src/exchange/cells.hpp"
@@ -110,6 +111,28 @@ std::string missing_array(const std::string& word, const std::vector<Declared>& 
          word.substr(0, 1) + ", or to a name with " + word;
 }
 
+/// MovePVT also receives the number of points. Its place in the call is not known, so one of the
+/// numbers of the call must be the number of points. A call with a single number, or with names for
+/// numbers, is not compared.
+void require_all_points(const std::string& text, std::size_t points, const Place& place) {
+  std::vector<std::string> numbers;
+  std::size_t names = 0;
+  for (const std::string& argument : arguments_of_call(text)) {
+    const bool digits = argument.find_first_not_of("0123456789") == argument.npos;
+    if (digits && !argument.empty())
+      numbers.push_back(argument);
+    else
+      ++names;
+  }
+  if (names > 3 || numbers.size() < 2) return;
+  const std::string wanted = std::to_string(points);
+  if (std::find(numbers.begin(), numbers.end(), wanted) != numbers.end()) return;
+  place.fail(line_at(text, static_cast<std::ptrdiff_t>(text.find("MovePVT("))), "MovePVT",
+             listed(numbers),
+             "does not contain " + wanted +
+                 ", the number of values in each array: make the call and the arrays agree");
+}
+
 std::vector<Exchanged> read_hmpl(const std::string& text, const Place& place) {
   std::map<std::string, NumberArray> arrays;
   const std::vector<Declared> all = declared_arrays(text);
@@ -122,7 +145,9 @@ std::vector<Exchanged> read_hmpl(const std::string& text, const Place& place) {
       if (array.line != 0)
         place.fail(declared.line, word, "", "is given by two arrays: remove one");
       array.line = declared.line;
-      for (const std::string_view cell : csv_cells(declared.list))
+      auto cells = csv_cells(declared.list);
+      if (cells.size() > 1 && trimmed(cells.back()).empty()) cells.pop_back();  // {0, 1,} in C
+      for (const std::string_view cell : cells)
         array.values.push_back(place.number(declared.line, word, trimmed(cell)));
     }
   const int line = all.empty() ? 1 : all.back().line;
@@ -137,6 +162,7 @@ std::vector<Exchanged> read_hmpl(const std::string& text, const Place& place) {
                  "must be as many as times: " + std::to_string(arrays["time"].values.size()));
     for (const double value : array->second.values) column->push_back(value * scale);
   }
+  require_all_points(text, table.columns.x.size(), place);
   table.lines.assign(table.columns.x.size(), arrays["time"].line);
   return {std::move(table)};
 }

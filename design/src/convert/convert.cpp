@@ -15,6 +15,17 @@
 
 namespace jounce {
 namespace design_detail {
+namespace {
+
+/// Advice for counts that must become another quantity; "" for other units.
+std::string size_of_a_count(const std::string& key, const std::string& unit,
+                            const std::string& to) {
+  if (!is_convertible(unit, "count") || !is_position_unit(to)) return "";
+  return "; for a table from a file, give the size of one " + unit + ", such as " +
+         (key == "master_unit" ? "--resolution " : "--position-resolution ") + "0.01" + to;
+}
+
+}  // namespace
 
 using profiles_detail::rounded_input;
 
@@ -23,13 +34,15 @@ TableFile in_units(TableFile file, const Conversion& wanted) {
     if (!to.empty() && !is_unit(to))
       throw InputError(
           key, to,
-          "is not a known unit: give a length (mm m um cm in ft yd), an angle (rad deg rev), "
+          "is not a known unit: give a length (mm m um nm cm in ft yd), an angle (rad deg rev), "
           "a time (s ms us ns min h), or pulse, count or inc");
     double factor = 1;
     try {
       if (!unit.empty() && !to.empty()) factor = conversion(unit, to);
     } catch (const InputError&) {
-      throw InputError(key, to, "cannot be converted from the unit of the table, " + unit);
+      throw InputError(key, to,
+                       "cannot be converted from the unit of the table, " + unit +
+                           size_of_a_count(key, unit, to));
     }
     if (!to.empty()) unit = to;
     return factor;
@@ -97,7 +110,11 @@ Converted converted(const Input& input, const Conversion& conversion) {
   Conversion wanted = conversion;
   if (!wanted.rule)
     wanted.rule = wanted.format ? rule_of(*wanted.format) : Interpolation::cubic_hermite;
-  if (wanted.format != nullptr) return design_detail::for_controller(input, wanted);
+  if (wanted.format != nullptr) {
+    Converted result = design_detail::for_controller(input, wanted);
+    result.given_counts = wanted.given_counts;
+    return result;
+  }
   Converted result{input.table, input.error};
   if (wanted.target && wanted.intervals > 0)
     throw InputError("intervals", std::to_string(wanted.intervals),
@@ -110,6 +127,7 @@ Converted converted(const Input& input, const Conversion& conversion) {
   }
   result.exceeded = design_detail::check_converted(result.file.table, input);
   result.file = design_detail::in_units(std::move(result.file), wanted);
+  result.given_counts = wanted.given_counts;
   return result;
 }
 

@@ -74,7 +74,10 @@ std::string error_text(const Converted& made, const Labels& labels) {
     };
     add(labels.units.x, made.file.units.x);
     add(labels.units.position, made.file.units.position);
-    if (changes.empty()) return "the numbers are unchanged";
+    if (changes.empty())
+      return made.given_counts.empty()
+                 ? "the numbers are unchanged"
+                 : "the numbers are converted from counts, without any other change";
     return fmt::format("the numbers are converted from {}, without any other change",
                        fmt::join(changes, " and from "));
   }
@@ -97,6 +100,9 @@ TableForm table_form(const std::string& name, const std::string& path) {
 Interpolation rule_for(const TableForm& form, std::optional<Interpolation> wanted,
                        const std::string& controller, const Table& table) {
   const ControllerTable* const target = controller_table(controller);
+  if (form.format != nullptr && wanted)
+    throw InputError("rule", name(*wanted),
+                     "applies to csv, json, lcm-log and mcap only: this format has its own rule");
   if (form.format != nullptr && target != nullptr && target->rule != rule_of(*form.format))
     throw InputError("controller", controller,
                      std::string("has ") + name(target->rule) + " tables, but the format " +
@@ -156,7 +162,8 @@ std::string conversion_text(const Input& input, const Converted& made, const Tab
   std::string text = fmt::format("{} -> {}: {}, {}\n{}\n", input.name, form.name,
                                  counted(made.file.table.size(), "knot"),
                                  name(made.file.table.rule()), error_text(made, input.labels));
-  if (!made.counts.empty()) text += made.counts + "\n";
+  for (const std::string& line : {made.given_counts, made.counts})
+    if (!line.empty()) text += line + "\n";
   for (const std::string& loss : losses) text += loss + "\n";
   if (!made.within_limit())
     text += fmt::format("the error exceeds the tolerance, {} {}{}{}\n", rounded(*made.limit),
@@ -200,6 +207,7 @@ std::string conversion_json(const Converted& made, const TableForm& form, const 
     document["error_velocity"] = made.error->velocity;
   }
   if (made.limit) document["limit"] = *made.limit;
+  if (!made.given_counts.empty()) document["given_counts"] = made.given_counts;
   if (!made.counts.empty()) document["counts"] = made.counts;
   for (const Finding& f : made.exceeded.findings)
     document["exceeded"].push_back({{"rule", f.rule.text()},

@@ -38,6 +38,13 @@ bool FileDifference::equal() const {
                      [](const Comparison& each) { return each.equal(); });
 }
 
+std::vector<std::string> FileDifference::files() const {
+  const auto& [before, after] = axes.front();
+  std::vector<std::string> all = before.files;
+  all.insert(all.end(), after.files.begin(), after.files.end());
+  return all;
+}
+
 FileDifference file_difference(std::vector<Input> before, std::vector<Input> after,
                                const std::string& before_path, const std::string& after_path,
                                const std::function<Tolerance(const Labels&)>& tolerance,

@@ -12,11 +12,7 @@ namespace {
 Target read_controller(TomlReader& table, const Units& units, Domain axis, TableOptions& options) {
   const std::string resolution = spec_key(axis, "x_step");
   const auto x_step = table.optional_positive(resolution.c_str(), units.x);
-  static const std::vector<std::string> names = [] {
-    std::vector<std::string> all;
-    for (const ControllerTable& each : controller_tables()) all.emplace_back(each.name);
-    return all;
-  }();
+  static const std::vector<std::string> names = controller_names();
   const auto choice = table.optional_choice("controller", names);
   if (!choice) return {.x_step = x_step.value_or(0)};
   const ControllerTable& controller = controller_tables()[*choice];

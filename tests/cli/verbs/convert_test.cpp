@@ -40,8 +40,8 @@ TEST_F(ConvertVerb, NamesTheOptionOfAWrongUnit) {
   EXPECT_EQ(run("convert given.csv out.csv --master-unit J").err,
             "jounce: --master-unit = J: cannot be converted from the unit of the table, pulse\n");
   EXPECT_EQ(run("convert given.csv out.csv --position-unit wibble").err,
-            "jounce: --position-unit = wibble: is not a known unit: give a length (mm m um cm in "
-            "ft yd), an "
+            "jounce: --position-unit = wibble: is not a known unit: give a length (mm m um nm cm "
+            "in ft yd), an "
             "angle (rad deg rev), a time (s ms us ns min h), or pulse, count or inc\n");
   EXPECT_EQ(run("convert given.csv given.csv").err,
             "jounce: OUT = given.csv: is also the input: choose another name\n");
@@ -200,6 +200,52 @@ TEST_F(ConvertVerb, AsksForTheSizeOfAPulse) {
   EXPECT_EQ(controller.status, 2);
   EXPECT_THAT(controller.err, HasSubstr("give the size of one count with --resolution"));
   EXPECT_EQ(run("convert a.toml a.csv --controller googol_follow --resolution 0.01deg").status, 0);
+}
+
+// A cam goes to a controller that counts and comes back: both files have the same motion. The master of Trio is in
+// its user units.
+TEST_F(ConvertVerb, ReadsCountsWithTheirSize) {
+  EXPECT_EQ(run("new cam -o a.toml").status, 0);  // deg and mm
+  const std::string master = " --resolution 0.01deg", position = " --position-resolution 1um";
+  for (const std::string file : {"a.dmc", "a.bas", "a.c --to googol-follow"}) {
+    SCOPED_TRACE(file);
+    const std::string name = file.substr(0, file.find(' '));
+    const bool trio = name == "a.bas";
+    ASSERT_EQ(run("convert a.toml " + file + (trio ? "" : master) + position + " --tolerance 20um")
+                  .status,
+              0);
+    const std::string sizes =
+        (trio ? "" : master) + position + " --master-unit deg --position-unit mm --periodic";
+    const Result read = run("convert " + name + " b.csv" + sizes);
+    ASSERT_EQ(read.status, 0) << read.err;
+    EXPECT_THAT(read.out, HasSubstr("0.001 mm (position)"));
+    const Result same = run("diff a.toml b.csv --tolerance position=20.5um");
+    EXPECT_EQ(same.status, 0) << same.out << same.err;
+    const Result codesys = run("convert " + name + " c.st" + sizes);
+    EXPECT_EQ(codesys.status, 0) << codesys.out << codesys.err;
+    EXPECT_THAT(slurp(folder / "c.st"), HasSubstr("dX := 360"));
+  }
+  EXPECT_THAT(run("convert a.dmc b.csv --master-unit deg").err,
+              HasSubstr("from the unit of the table, count; for a table from a file, give the size "
+                        "of one count, such as --resolution 0.01deg"));
+}
+
+// 57 counts of 0.01 deg are 0.57 deg, without a rounding error of the product.
+TEST_F(ConvertVerb, GivesCountsTheUnitOfTheirSize) {
+  write("a.dmc", "EAA\nEM 36000,0\nEP 18000,0\nET[0]=,0\nET[1]=,57\nET[2]=,0\n");
+  const Result made = run("convert a.dmc a.csv --resolution 0.01deg --position-resolution 1um");
+  ASSERT_EQ(made.status, 0) << made.err;
+  EXPECT_THAT(made.out,
+              HasSubstr("in the input, 1 count is 0.01 deg (master) and 1 um (position)"));
+  EXPECT_THAT(slurp(folder / "a.csv"), HasSubstr("\n180,57\n"));
+  ASSERT_EQ(run("convert a.dmc m.csv --position-resolution 1um --position-unit mm").status, 0);
+  EXPECT_THAT(slurp(folder / "m.csv"), HasSubstr("\n18000,0.057\n"));
+  ASSERT_EQ(run("convert a.dmc a.bas --resolution 0.01deg --position-resolution 1um").status, 0);
+  EXPECT_THAT(slurp(folder / "a.bas"), HasSubstr("TABLE(1000,0,57,0)"));
+  EXPECT_THAT(run("convert a.dmc b.csv --position-resolution -1um").err,
+              HasSubstr("--position-resolution = -1um: must be greater than 0"));
+  EXPECT_THAT(run("convert a.dmc b.csv --resolution 1um --master-unit deg").err,
+              HasSubstr("--resolution = 1um: "));
 }
 
 TEST_F(ConvertVerb, AsksForMissingUnits) {

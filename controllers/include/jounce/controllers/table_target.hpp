@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "jounce/base/hash.hpp"
 #include "jounce/pvt/reduce.hpp"
@@ -31,6 +32,8 @@ struct ControllerTable {
 /// hmpl_pvt, and sew (the curve point table of the MOVI-C controllers of SEW). The four tables of
 /// Googol have segments of the type NORMAL (GTS manual 7.4): linear velocity, quadratic position.
 std::span<const ControllerTable> controller_tables();
+/// Returns their names.
+std::vector<std::string> controller_names();
 
 /// Returns the controller table with this name; null if no table has the name.
 const ControllerTable* controller_table(const std::string& name);

@@ -25,6 +25,7 @@ struct Conversion {
                      ///< "": unchanged
   bool periodic = false;  ///< true: the motion repeats, although the file does not define this
   const ExchangeFormat* format = nullptr;  ///< format of a controller; null: CSV or JSON of Jounce
+  std::string given_counts = {};           ///< CountedInput::sizes
 };
 
 /// A converted table, and its difference from the input.
@@ -41,6 +42,7 @@ struct Converted {
   /// Sizes of the counts of a format in counts, and a tolerance that follows from the resolution of
   /// the position, as a sentence; otherwise "".
   std::string counts = {};
+  std::string given_counts = {};  ///< Conversion::given_counts
   /// Limits that the table exceeds between its knots, and that the motion keeps: [limits] and, with
   /// [master], [limits.slave]. The values are in the units of the input.
   Report exceeded = {};

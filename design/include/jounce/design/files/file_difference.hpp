@@ -20,6 +20,8 @@ struct FileDifference {
   std::vector<KeyChange> keys = {};
 
   [[nodiscard]] bool equal() const;
+  /// The files of the first pair.
+  [[nodiscard]] std::vector<std::string> files() const;
 };
 
 /// Compares two specs key by key, after their axes were compared. Each changed limit that is not in
