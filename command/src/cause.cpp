@@ -220,13 +220,15 @@ constexpr std::array entries{
           "Give a lower velocity. For a table: give it more time, or a law with a lower peak "
           "velocity.",
           "Give a lower velocity.",
-          "Give the motion more time, or a law with a lower peak velocity."},
+          "Give the motion more time (behind a live master: run it slower), or a law with a lower "
+          "peak velocity."},
     Entry{Cause::acceleration_limit, "acceleration_limit",
           "The motion exceeds the acceleration limit of the axis.",
           "Give a lower acceleration. For a table: give it more time, or a law with a lower "
           "peak acceleration.",
           "Give a lower acceleration.",
-          "Give the motion more time, or a law with a lower peak acceleration."},
+          "Give the motion more time (behind a live master: run it slower), or a law with a lower "
+          "peak acceleration."},
     Entry{Cause::jerk_limit, "jerk_limit", "The motion exceeds the jerk limit of the axis.",
           "Give a lower jerk. For a table: give it more time, or a law with a lower peak jerk.",
           "Give a lower jerk.", "Give the motion more time, or a law with a lower peak jerk."},

@@ -214,11 +214,13 @@ TEST(Hmpl, ReadsTheArraysThatTheProgramPasses) {
 
 // The last comma is legal in C.
 TEST(Hmpl, ReadsAListWithACommaAtItsEnd) {
-  const Columns c =
-      columns("double t[2] = {\n 0,\n 100,\n};\ndouble p[2] = {0, 5,};\ndouble v[2] = {0, 0, };\n");
+  const Columns c = columns(
+      "double t[2] = {\n 0,\n 100,\n};\ndouble p[2] = {0, 5,};\ndouble v[2] = {0, 0, };\n"
+      "MovePVT(0, 2, t, p, v);\n");
   EXPECT_THAT(c.x, ElementsAre(0, 100));
   EXPECT_THAT(c.p, ElementsAre(0, 5));
-  EXPECT_THAT(complaint("double t[2] = {0, , 1};"), HasSubstr("must be a finite number"));
+  EXPECT_THAT(complaint("double t[2] = {0, , 1};\nMovePVT(0, 2, t, t, t);\n"),
+              HasSubstr("must be a finite number"));
 }
 
 TEST(Hmpl, RejectsACallWithAnotherNumberOfPoints) {
