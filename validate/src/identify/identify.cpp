@@ -56,10 +56,12 @@ Trajectory coarse_motion(const Recording& recording) {
   return spline_through(std::move(times), std::move(commands));
 }
 
-/// True if the feed-forward of the recorded controller can differ from that of the spec, in which its
-/// inertia is only a start.
+/// True if the feed-forward of the recorded controller can be fitted. That of the spec refers to an
+/// inertia that is only a start. The torque shows the inertia, and the motion shows the feed-forward.
 bool frees_feed_forward(const Recording& recording, const IdentifySpec& spec) {
-  return !recording.torque.empty() && spec.drive.controller.torque_feed_forward > 0 &&
+  const bool has_motion =
+      !recording.position.empty() || !recording.velocity.empty() || !recording.load.empty();
+  return has_motion && !recording.torque.empty() && spec.drive.controller.torque_feed_forward > 0 &&
          std::any_of(spec.fit.begin(), spec.fit.end(),
                      [](const std::string& key) { return key.ends_with("inertia"); });
 }

@@ -142,11 +142,12 @@ using IdentifyProgress = std::function<bool(int iteration, double share)>;
 ///     if (found.usable()) drive_through(table, found.drive);
 ///
 /// **Controller.** The fit changes the numbers of the machine, but not the output of the
-/// controller. If an inertia is fitted and the torque is recorded, the inertia that the torque
-/// feed-forward of the recorded controller used is fitted, too (`feed_forward`), unless the recording
-/// then determines fewer numbers. Without a recorded torque it is the one at the start:
-/// torque_feed_forward times the inertia of the spec. torque_feed_forward of the result has this
-/// torque with the fitted inertia. If friction is fitted, a friction_feed_forward is rejected.
+/// controller. If an inertia is fitted, and torque and motion (position, velocity or load) are
+/// recorded, the inertia that the torque feed-forward of the recorded controller used is fitted, too
+/// (`feed_forward`), unless the recording then determines fewer numbers. Otherwise it is the one at
+/// the start: torque_feed_forward times the inertia of the spec. torque_feed_forward of the result
+/// has this torque with the fitted inertia. If friction is fitted, a friction_feed_forward is
+/// rejected.
 ///
 /// **Sampled controllers.** A linear drive is computed with its sampled controller, but without
 /// the encoder counts, if all samples are at its cycles. Otherwise a continuous controller with one
