@@ -295,7 +295,8 @@ void GroupQueue::append(PathCommands& commands, const ExecutorGroup& group) {
                      "leads outward: " + names[end.index] + " stands at the end of its range, " +
                          end_of_range(end, group) + ": jog in another direction");
   }
-  waiting_.front().request.note = velocity_note(commands, space, group, is_fast(command));
+  std::string note = velocity_note(commands, space, group, is_fast(command));
+  if (!note.empty()) waiting_.front().request.note = std::move(note);
 }
 
 /// A stage without commands, after all others.
