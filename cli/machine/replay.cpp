@@ -37,7 +37,10 @@ ReplayedFile replayed(const ReplayArguments& options) {
 
 int run_replay(const ReplayArguments& options) {
   for (const auto& [option, path] : {std::pair{"--plot", options.plot}, {"--csv", options.csv}})
-    if (!path.empty()) require_other_file(options.file, path, option);
+    if (path == "-")
+      throw InputError(option, path, "must be a file: the answer is on standard output");
+    else if (!path.empty())
+      require_other_file(options.file, path, option);
   if (const bool writes = !options.plot.empty() || !options.csv.empty();
       !writes && (!options.axis.empty() || options.last))
     throw InputError(options.last ? "--last" : "--axis", "",

@@ -52,7 +52,7 @@ TEST(OutcomeText, ARejectedShiftOfThePhaseHasARemedy) {
 TEST(OutcomeText, ARemedyFitsTheReason) {
   CallOutcome faulty = rejected();
   faulty.reason =
-      "not_enabled: the axis is disabled since a fault: following_error. It was too great.";
+      "not_enabled: the axis is disabled because of a fault: following_error. It was too great.";
   EXPECT_THAT(reason_text(faulty, "feeder", {}, static_cast<int>(Cause::following_error)),
               HasSubstr("feeder reset` and `jounce order feeder enable`"));
   faulty.cause = static_cast<std::int32_t>(Cause::in_error);

@@ -340,7 +340,7 @@ std::string refusal_text(const Refusal& refusal, const Tick& now, const Executor
   const std::string who = options.group ? ": the group " : ": the axis ";
   const std::string why =
       std::string(name(refusal.cause)) + who +
-      (refusal.cause == Cause::in_error ? "has a fault: " : "is disabled since a fault: ") +
+      (refusal.cause == Cause::in_error ? "has a fault: " : "is disabled because of a fault: ") +
       name(now.fault);
   const std::string numbers =
       numbers_of(now, options.units.position, options.axis, group_names(options), true);

@@ -173,8 +173,9 @@ Table table_of(const Trajectory& spline, Interpolation rule, Extrapolation outsi
 Table shortest_table(TomlReader& top, const Spec& spec, Interpolation rule) {
   if (rule == Interpolation::linear)
     top.fail("times", "\"shortest\"", "needs rule = \"cubic_hermite\" or \"quintic_hermite\"");
-  top.refuse_here("velocities",
-                  "times = \"shortest\" computes the velocities: leave it out, or leave out times");
+  top.refuse_here(
+      "velocities",
+      "times = \"shortest\" computes the velocities: remove velocities, or remove times");
   const Extrapolation outside = read_outside(top, false);
   if (top.has("points"))
     top.fail("points", "",
