@@ -40,7 +40,7 @@ void require_axes(const MachineSpec& machine, const ExamineMachine& executor) {
     };
     try {
       const Spec spec = read_spec(axis.spec);
-      if (!std::holds_alternative<AxisSpec>(spec.subject)) throw other_kind;
+      if (!std::holds_alternative<AxisSpec>(spec.subject)) throw InputError(other_kind);
       if (executor.axis) executor.axis(spec);
     } catch (const InputError& error) {
       for (const InputError& one : all_errors(error)) errors.push_back(located(one));
