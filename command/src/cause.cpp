@@ -765,10 +765,15 @@ std::string text(const Refusal& refusal, const std::string& unit, const std::str
   if (cause == Cause::start_jump)
     return words + ": " + shown(refusal.value) + "; the axis moves at " + shown(refusal.limit) +
            ".";
-  if (cause == Cause::start_position)
+  if (cause == Cause::start_position) {
+    const bool close = shown(refusal.value) == shown(refusal.limit);
+    const auto place = [&](double number) {
+      return close ? place_text(number) + unit_of(cause, unit) : shown(number);
+    };
     return words + ": " +
-           (std::isnan(refusal.value) ? "" : "it begins at " + shown(refusal.value) + "; ") +
-           "the axis would start it at " + shown(refusal.limit) + ".";
+           (std::isnan(refusal.value) ? "" : "it begins at " + place(refusal.value) + "; ") +
+           "the axis would start it at " + place(refusal.limit) + ".";
+  }
   const std::string instant =
       std::isnan(refusal.where) ? "" : " at " + six_digits(refusal.where) + " s";
   const bool is_near_zero = std::abs(refusal.value) < rounding * scale;

@@ -91,6 +91,10 @@ TEST(Causes, AValueBesideItsLimitShowsTheDifference) {
               EndsWith(": 300.0000000001 mm/s, limit 300 mm/s."));
   EXPECT_THAT(text(Refusal{Cause::position_limit, 600.0000000001, 600}, "mm"),
               EndsWith(": 600.0000000001 mm, limit 600 mm."));
+  EXPECT_THAT(text(Refusal{Cause::start_position, 12.3456791, 12.345678}, "mm"),
+              EndsWith("it begins at 12.3456791 mm; the axis would start it at 12.345678 mm."));
+  EXPECT_THAT(text(Refusal{Cause::start_position, 20, 12.345678}, "mm"),
+              EndsWith("it begins at 20 mm; the axis would start it at 12.3457 mm."));
   EXPECT_THAT(text(Refusal{Cause::velocity_limit, 400, 300}, "mm"),
               EndsWith(": 400 mm/s, limit 300 mm/s."));
 }

@@ -219,7 +219,9 @@ std::string start_position_text(const Refusal& refusal, const Tick& now,
                                 const ExecutorOptions& options, CommandKind order_sent) {
   const std::string order = "`jounce order " + options.receiver.executor;
   const std::string start = place_in_units(refusal.value, options);
-  const std::string present = in_units(refusal.limit, options);
+  const bool close = in_units(refusal.value, options) == in_units(refusal.limit, options);
+  const std::string present =
+      close ? place_in_units(refusal.limit, options) : in_units(refusal.limit, options);
   if (now.fault != Cause::none) {
     const std::string reset = "the axis has a fault: " + std::string(name(now.fault)) +
                               ". First send " + order +
