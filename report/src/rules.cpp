@@ -70,6 +70,9 @@ constexpr std::array rules{
         "The spec that the table names has changed since the table was made.",
         "Make the table again with the command of the finding, or compare it with `jounce check "
         "TABLE --against SPEC`."},
+    RuleInfo{"warning/not_played",
+             "The executor does not play the table: over time, none advances in each period.",
+             "To play it, set outside to \"hold\" or \"wrap\"."},
     RuleInfo{"warning/overshoot", "The segment leaves the range between its end values.",
              "Move the knots, or lower the velocities at them."},
     RuleInfo{"warning/velocity_overshoot",

@@ -141,6 +141,9 @@ std::string of_warning(const Finding& f, const std::string& value, const std::st
     return f.quantity + " is not checked: the check compares the motion with nothing";
   if (f.rule == "warning/no_limits")
     return "no limit is given: the check compares the motion with nothing";
+  if (f.rule == "warning/not_played")
+    return "the executor does not play this table: over time, outside = \"advance\" is not "
+           "possible";
   if (f.rule == "warning/older_table")
     return "the table is older than its spec: " + f.quantity +
            " has changed since the table was made";

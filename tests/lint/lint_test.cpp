@@ -113,6 +113,17 @@ TEST_F(Lint, AMotionWithoutLimitsIsAWarningOfItsOwn) {
   EXPECT_THAT(places(one, Level::warning), testing::Not(testing::Contains(HasSubstr("no_limits"))));
 }
 
+TEST_F(Lint, ATableThatNoExecutorPlaysIsAWarningAtItsOutside) {
+  const auto spec = [](const std::string& outside) {
+    return "jounce = 1\nkind = \"pvt\"\nunits = { position = \"mm\" }\noutside = \"" + outside +
+           "\"\n[[knot]]\ntime = 0\nposition = 0\nvelocity = 0\n[[knot]]\ntime = 1\n"
+           "position = 5\nvelocity = 0\n[limits]\nvelocity = 9\n";
+  };
+  EXPECT_THAT(places(linted(spec("advance")), Level::warning),
+              ElementsAre("4:11 warning/not_played outside"));
+  EXPECT_THAT(places(linted(spec("hold")), Level::warning), IsEmpty());
+}
+
 TEST_F(Lint, AMotionOverTimePointsToItsLimit) {
   const FileResult file = linted(
       "jounce = 1\nkind = \"axes\"\nunits = { position = \"mm\" }\n"

@@ -2,6 +2,7 @@
 #include "jounce/design/detail/diagnostics.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -103,6 +104,7 @@ KeyPlace place_of_section(const Finding& finding, const Subject& subject) {
   if (finding.rule.family() == RuleFamily::limit ||
       finding.rule.family() == RuleFamily::unlimited || finding.rule == "warning/no_limits")
     section = "limits";
+  if (finding.rule == "warning/not_played") section = finding.quantity;
   std::vector<std::string> keys{own + section, section};
   if (!own.empty()) keys.push_back(own.substr(0, own.size() - 1));
   keys.emplace_back("kind");
@@ -145,7 +147,10 @@ Diagnostic diagnostic_of(const Finding& finding, const Subject& subject, const s
   d.message = sentence(finding, subject.labels);
   d.advice = finding.advice;
   d.quantity = finding.quantity;
-  if (finding.rule == "warning/no_limits" || finding.rule == "warning/older_table") return d;
+  constexpr std::array without_number{"warning/no_limits", "warning/not_played",
+                                      "warning/older_table"};
+  if (std::find(without_number.begin(), without_number.end(), d.rule) != without_number.end())
+    return d;
   d.unit = subject.labels.unit_of(finding);
   d.value = finding.value;
   if (finding.has_limit) d.limit = finding.limit;

@@ -2,6 +2,8 @@
 // The check of an input against everything that needs no integration.
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <utility>
 
 #include "jounce/base/units.hpp"
 #include "jounce/design/detail/limit_advice.hpp"
@@ -120,6 +122,19 @@ Report merged(Report warnings, Report& found) {
   return warnings;
 }
 
+/// The warning for a table over time that advances in each period: no executor plays it.
+std::optional<Finding> not_played(const Input& input) {
+  if (input.labels.over_master || input.table.table.outside() != Extrapolation::advance)
+    return std::nullopt;
+  Finding f;
+  f.rule = "warning/not_played";
+  f.quantity = "outside";
+  f.severity = Severity::warning;
+  f.has_limit = false;
+  f.advice = "to play it, let it hold or wrap";
+  return f;
+}
+
 }  // namespace
 
 Report check_all(const Input& input, int continuity, const EngageState& at) {
@@ -146,6 +161,7 @@ Report check_all(const Input& input, int continuity, const EngageState& at) {
   }
   add_ends(input, at, report);
   if (!input.newer_spec.empty()) report.findings.push_back(design_detail::older_table(input));
+  if (auto warning = not_played(input)) report.findings.push_back(*std::move(warning));
   if (input.drive)
     if (auto unstable = unstable_loop(input.drive->drive)) {
       unstable->axis = "drive";
