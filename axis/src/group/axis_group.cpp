@@ -4,6 +4,7 @@
 
 #include "jounce/profiles/detail/tolerances.hpp"
 
+#include "axis/src/group/group_role.hpp"
 #include "axis/src/state/axis_impl.hpp"
 
 // A group of the machine (AxisGroup in machine.hpp), and an axis of a group. The machine connects
@@ -11,65 +12,10 @@
 // enabled or moves.
 
 namespace jounce {
-namespace {
-
-/// True for the commands that an axis accepts while its group is enabled: none sets it in motion.
-bool suits_member(CommandKind kind) {
-  switch (kind) {
-    case CommandKind::none:
-    case CommandKind::enable:
-    case CommandKind::disable:
-    case CommandKind::disarm:
-    case CommandKind::stop:
-    case CommandKind::abort:
-    case CommandKind::reset:
-    case CommandKind::release:
-    case CommandKind::touch_probe:
-    case CommandKind::abort_trigger:
-      return true;
-    default:
-      return false;
-  }
-}
-
-/// True for the commands of a group.
-bool suits_group(CommandKind kind) {
-  switch (kind) {
-    case CommandKind::arm:
-    case CommandKind::start:
-    case CommandKind::hold:
-    case CommandKind::resume:
-    case CommandKind::halt:
-    case CommandKind::override_:
-    case CommandKind::extend:
-      return true;
-    default:
-      return suits_member(kind);
-  }
-}
-
-}  // namespace
-
-/// The reason why the axis of an enabled group, or a group, rejects a command of this kind; or none.
-Cause MotionAxis::Impl::against_group(CommandKind kind) const {
-  if (is_of_member(inputs_.peers) && !suits_member(kind)) return Cause::in_group;
-  if (is_group() && !suits_group(kind)) return Cause::single_axis;
-  return Cause::none;
-}
-
 /// The reason why a group at rest cannot begin or continue its path, or none.
-MotionAxis::Impl::Rejection MotionAxis::Impl::against_axes() const {
+MotionAxis::Impl::Rejection MotionAxis::Impl::against_peers() const {
   if (!is_group() || (on_path() && !path_.rests(now_.tick))) return std::nullopt;
-  if (inputs_.peers == Peers::failed) return axis_refusal(Cause::axis_not_ready);
-  if (inputs_.peers == Peers::away) return axis_refusal(Cause::axis_away);
-  return std::nullopt;
-}
-
-/// The reason why a group stays in its fault, or none. It keeps its path, so that it can continue.
-MotionAxis::Impl::Rejection MotionAxis::Impl::against_reset() const {
-  if (inputs_.peers == Peers::failed) return axis_refusal(Cause::axis_not_ready);
-  if (inputs_.peers == Peers::away && moving()) return axis_refusal(Cause::axis_away);
-  return std::nullopt;
+  return against_axes(inputs_);
 }
 
 /// The reason why a group cannot take a longer path, or none.
@@ -103,15 +49,6 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Extend& what) {
   path_outputs_.continue_as(*movement, what.shift);
   if (compares_way_) path_way_.continue_as(*movement, what.shift);
   return std::nullopt;
-}
-
-/// The refusal names the axis of Inputs::master (Peers::away, Peers::failed), whose second number is
-/// its place, or the bits of all axes that are not ready.
-Refusal MotionAxis::Impl::axis_refusal(Cause cause) const {
-  const auto [position, place, number, reason] = inputs_.master;
-  if (cause == Cause::axis_not_ready)
-    return {.cause = cause, .value = reason, .limit = place, .where = number};
-  return {.cause = cause, .value = position, .limit = place, .where = number};
 }
 
 /// An axis at standstill follows its group from the tick in which the group moves.

@@ -11,33 +11,23 @@
 
 namespace jounce {
 
-/// One command with its own tick can wait. The axis checks its conditions in that tick.
 MotionAxis::Impl::Rejection MotionAxis::Impl::postpone(const Command& command) {
-  const auto at = static_cast<double>(command.at);
-  if (command.at < now_.tick) return Refusal{Cause::too_late, at, static_cast<double>(now_.tick)};
-  if (later_) return Refusal{Cause::buffer_full, at, static_cast<double>(later_->at)};
-  if (const Movement* const movement = movement_of(command.what)) {
-    hand_back(movement);
-    return Refusal{Cause::no_value};
-  }
-  later_ = command;
-  return std::nullopt;
+  auto no = later_.postpone(command, now_.tick);
+  if (no && no->cause == Cause::no_value) hand_back(movement_of(command.what));
+  return no;
 }
 
-/// Executes it in its tick, or in the next one that is stepped, before the command of that tick.
+/// Executes the command that waits in its tick, before the command of that tick.
 void MotionAxis::Impl::obey_due() {
-  if (!later_ || later_->at > now_.tick) return;
-  Command command = *later_;
-  later_.reset();
-  command.at = -1;
-  obey(command);
+  const auto command = later_.take_due(now_.tick);
+  if (!command) return;
+  obey(*command);
   if (now_.refused) now_.dropped = now_.refused;  // no sender waits for its answer
   now_.refused.reset();
 }
 
 void MotionAxis::Impl::forget_later() {
-  if (later_) now_.dropped = Refusal{Cause::replaced, static_cast<double>(later_->at), 0};
-  later_.reset();
+  if (const auto why = later_.forget()) now_.dropped = why;
 }
 
 /// Checks the move against the end of the previous one, if that is available, and again when it

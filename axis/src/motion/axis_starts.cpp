@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
-#include "jounce/cam/coupling/passing.hpp"
-#include "jounce/profiles/detail/tolerances.hpp"
-
-#include "axis/src/motion/setpoint_check.hpp"
+#include "axis/src/motion/start_check.hpp"
 #include "axis/src/state/axis_impl.hpp"
 
 // The slots of an axis: it arms a movement, accepts its start, and begins it when it is due.
@@ -75,7 +71,7 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Start& what) {
   if (!armed_) return Refusal{Cause::not_armed};
   if (is_group() && on_path())
     return Refusal{Cause::in_motion};  // it holds: a new path is elsewhere
-  if (auto no = against_axes()) return no;
+  if (auto no = against_peers()) return no;
   if (what.when == StartAt::end_of_table && moving()) return start_at_end();
   if (what.when == StartAt::end_of_table && armed_.is_live()) return Refusal{Cause::no_movement};
   if (what.when == StartAt::tick && what.tick >= 0 && what.tick < now_.tick)
@@ -92,9 +88,9 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Start& what) {
   if (rests && !(later && armed_.is_live())) {
     auto no = armed_->admit(config_, last());
     const Cause cause = armed_->begin(last(), moment());
-    if (cause != Cause::none && !no) no = begin_refusal(cause, last());
+    if (cause != Cause::none && !no) no = begin_refusal(cause, *armed_, last());
     if (cause != Cause::none) no->cause = cause;
-    if (!no) no = against_switch(*armed_);
+    if (!no) no = against_active_switch();
     if (no) return no;
   }
   const StartAt when = what.when == StartAt::end_of_table ? StartAt::tick : what.when;
@@ -150,23 +146,11 @@ std::optional<Moment> MotionAxis::Impl::begins_at() {
     if (late < 0) return std::nullopt;
     return Moment{-seconds(late * config_.period), dt(), inputs_.master};
   }
-  if (armed_.when() == StartAt::master_position) return crossing();
+  if (armed_.when() == StartAt::master_position)
+    return crossing(armed_.position(), last_master_, inputs_.master, dt());
   if (base_ == Base::live) return live_.pass_end(moment(), now_.tick);
   drop({.cause = Cause::no_movement});  // that movement has ended
   return std::nullopt;
-}
-
-/// The instant at which the live master passes the start position, between the previous tick and
-/// this one.
-std::optional<Moment> MotionAxis::Impl::crossing() const {
-  const double before = last_master_[0] - armed_.position();
-  const double after = inputs_.master[0] - armed_.position();
-  if (!(before * after <= 0 && before != after)) return std::nullopt;
-  const Sample earlier{-dt(), last_master_};
-  const Sample now{0, inputs_.master};
-  const Sample at =
-      before == 0 ? earlier : jounce::passing(earlier, now, armed_.position()).value_or(now);
-  return Moment{at.t, dt(), at.master};
 }
 
 /// The state of the axis at that instant: the start of a coupling.
@@ -184,51 +168,9 @@ std::optional<MotionState> MotionAxis::Impl::state_at(const Moment& at, Cause& n
   return state_of(next);
 }
 
-/// The answer of the armed movement to an axis in this state.
-Refusal MotionAxis::Impl::begin_refusal(Cause no, const MotionState& state) const {
-  const bool placed = no == Cause::start_position || no == Cause::cutter_away;
-  return {.cause = no,
-          .value = placed ? armed_->place() : state.position,
-          .limit = placed ? state.position : 0};
-}
-
-/// The refusal of a path that leads outwards from an active limit switch.
-std::optional<Refusal> MotionAxis::Impl::against_switch(const Movement& path) const {
-  const int way = path.direction();
-  const bool blocked = (way > 0 && inputs_.positive_switch) || (way < 0 && inputs_.negative_switch);
-  return blocked ? std::optional(Refusal{Cause::direction_blocked, now_.position, 0})
-                 : std::nullopt;
-}
-
-/// The refusal of a coupling whose slave would exceed a limit.
-std::optional<Refusal> MotionAxis::Impl::against_demand(const Moment& start) const {
-  const Peaks need = armed_->demand(start);
-  const auto& [low, high, v, a, j] = config_.limits;
-  for (const auto& [value, most, cause] : {std::tuple{need.velocity, v, Cause::velocity_limit},
-                                           {need.acceleration, a, Cause::acceleration_limit},
-                                           {need.jerk, j, Cause::jerk_limit}})
-    if (most && !(value <= *most * (1 + profiles_detail::rounded_input)))
-      return Refusal{cause, value, *most};
-  return std::nullopt;
-}
-
-/// The refusal of a coupling that has begun, and whose first setpoint would be a fault.
-std::optional<Refusal> MotionAxis::Impl::against_jump() const {
-  const auto first = armed_->first_setpoint(moment());
-  if (!first) return std::nullopt;
-  switch (check_setpoint(last(), *first, {dt(), joint_step()}, rules())) {
-    case Cause::none:
-      break;
-    case Cause::overspeed:
-      return Refusal{Cause::velocity_limit, std::abs(first->velocity), *config_.limits.velocity};
-    case Cause::out_of_range:
-      return Refusal{Cause::position_limit, first->position, now_.position};
-    default:
-      return Refusal{Cause::start_jump, first->velocity, now_.velocity};
-  }
-  if (!exceeds_acceleration(*first, config_)) return std::nullopt;
-  return Refusal{Cause::acceleration_limit, std::abs(first->acceleration),
-                 *config_.limits.acceleration};
+/// The refusal of an armed path that leads outwards from an active limit switch.
+MotionAxis::Impl::Rejection MotionAxis::Impl::against_active_switch() const {
+  return against_switch(*armed_, inputs_.positive_switch, inputs_.negative_switch, now_.position);
 }
 
 /// A movement that waited for an event of its master begins with a setpoint that would be a fault. The
@@ -236,20 +178,14 @@ std::optional<Refusal> MotionAxis::Impl::against_jump() const {
 bool MotionAxis::Impl::miss_event(Cause wrong, const Setpoint& next) {
   const bool begins = base_ == Base::live && live_->progress() >= Progress::running;
   if (!begins || above_.running() || now_.velocity != 0) return false;
-  const MotionState first = state_of(next);
-  Refusal why{Cause::start_jump, first.velocity, now_.velocity};
-  if (wrong == Cause::overspeed)
-    why = {Cause::velocity_limit, std::abs(first.velocity), *config_.limits.velocity};
-  else if (wrong == Cause::overacceleration)
-    why = {Cause::acceleration_limit, std::abs(first.acceleration), *config_.limits.acceleration};
-  else if (wrong != Cause::jump)
-    return false;
+  const auto why = against_first(wrong, state_of(next), now_.velocity, config_);
+  if (!why) return false;
   now_.profile.clear();
   forget_next();
   freeze();
   state_ = State::standstill;
   now_.dropped = why;
-  now_.reason = why.cause;
+  now_.reason = why->cause;
   return true;
 }
 
@@ -260,7 +196,7 @@ double MotionAxis::Impl::followed_ratio() const {
 
 void MotionAxis::Impl::begin_pending(const Moment& at) {
   if (inputs_.peers == Peers::missing) return drop({.cause = Cause::group_stopped});
-  if (const auto refusal = against_axes()) return drop(*refusal);
+  if (const auto refusal = against_peers()) return drop(*refusal);
   if (is_group()) {  // the length along its path
     now_.position = 0;
     path_way_.reset();
@@ -271,15 +207,16 @@ void MotionAxis::Impl::begin_pending(const Moment& at) {
   if (!state) return drop({.cause = no});
   if (const auto refusal = live ? armed_->admit(config_, *state) : std::nullopt)
     return drop(*refusal);
-  if (const auto refusal = against_switch(*armed_)) return drop(*refusal);
+  if (const auto refusal = against_active_switch()) return drop(*refusal);
   // The positions of the next cam do not include the phase shift of this one.
   if (armed_->passes() && live_.phase().moves(now_.tick)) return drop({.cause = Cause::in_motion});
   Moment begin = live && armed_.when() != StartAt::tick ? at : moment();
   begin.ratio = followed_ratio();
   no = armed_->begin(*state, begin);
-  if (no != Cause::none) return drop(begin_refusal(no, *state));
-  if (const auto refusal = live ? against_jump() : std::nullopt) return drop(*refusal);
-  if (const auto refusal = against_demand(begin)) return drop(*refusal);
+  if (no != Cause::none) return drop(begin_refusal(no, *armed_, *state));
+  if (const auto refusal = live ? against_jump(*armed_, moment(), last(), rules()) : std::nullopt)
+    return drop(*refusal);
+  if (const auto refusal = against_demand(*armed_, begin, config_)) return drop(*refusal);
   const ArmedMotion begun = std::exchange(armed_, {});
   const bool was_moving = moving();
   const bool was_registered = is_registered();

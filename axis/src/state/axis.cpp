@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "axis/src/motion/setpoint_check.hpp"
+#include "axis/src/group/group_role.hpp"
 #include "axis/src/state/axis_impl.hpp"
 
 // One tick of an axis, from its inputs to its outputs. Read it from step() down. Other files:
@@ -82,8 +82,8 @@ void MotionAxis::Impl::report() {
   now_.held = held_;
   now_.ratio = base_ == Base::live ? live_->ratio() : 0;
   now_.compensated = compensation_ && compensation_->active();
-  now_.waiting = armed_.waiting() || !next_.empty() || later_ || change_;
-  now_.later = later_ ? later_->at : -1;
+  now_.waiting = armed_.waiting() || !next_.empty() || later_.waits() || change_;
+  now_.later = later_.tick();
   const bool at_master = armed_.waiting() && armed_.when() == StartAt::master_position;
   now_.start_position = at_master ? armed_.position() : std::numeric_limits<double>::quiet_NaN();
   now_.live_master = {inputs_.master[0], inputs_.master[1]};
@@ -136,14 +136,15 @@ void MotionAxis::Impl::watch() {
   }
   // Without a heartbeat, an axis in motion stops; an axis at rest stays at rest. A group stops with
   // its axes on its path.
-  const bool stops = state_ == State::error_stop || !(moving() || armed_.waiting() || later_);
+  const bool stops =
+      state_ == State::error_stop || !(moving() || armed_.waiting() || later_.waits());
   if (wrong == Cause::watchdog && (stops || base_ == Base::group)) wrong = Cause::none;
   if (windows_.too_far(now_.following_error, dt(), config_) && wrong == Cause::none)
     wrong = Cause::following_error;
   const bool broken = inputs_.peers == Peers::failed && state_ != State::error_stop;
   if (broken && wrong == Cause::none) {
     wrong = Cause::axis_fault;
-    now_.failed_axis = axis_refusal(Cause::axis_not_ready);
+    now_.failed_axis = axis_refusal(Cause::axis_not_ready, inputs_);
   }
   if (wrong == Cause::following_error) return fail(wrong, now_.following_error);
   if (wrong != Cause::none) return fail(wrong);
@@ -166,7 +167,9 @@ void MotionAxis::Impl::play() {
     const MotionState bare = state_of(next);
     if (wrong == Cause::none) {
       above_.add_to(next, now_.tick);
-      wrong = judge(next);
+      // Braking after a fault passes without a check.
+      const bool brakes = base_ == Base::move && ending_ == Ending::fault;
+      if (!brakes) wrong = supervise(state_of(next), supervised(), rules());
     }
     if (wrong == Cause::none) {
       bare_ = {bare, now_.tick};
@@ -174,7 +177,7 @@ void MotionAxis::Impl::play() {
       return conclude();
     }
     if (waits && miss_event(wrong, next)) return;
-    fail(wrong, excess(wrong, next));
+    fail(wrong, excess(wrong, state_of(next), supervised(), rules()));
   }
 }
 
@@ -212,52 +215,25 @@ Cause MotionAxis::Impl::advance_move(Setpoint& next) {
   return Cause::none;
 }
 
-/// Checks a setpoint before its output; braking after a fault passes without a check.
-Cause MotionAxis::Impl::judge(const Setpoint& next) const {
-  if (base_ == Base::move && ending_ == Ending::fault) return Cause::none;
-  const MotionState state = state_of(next);
-  const Peaks path = on_path() ? path_.peaks() : Peaks{};
-  const double joint = joint_ ? joint_step() : 0;
-  const double kinks = path.velocity_step * static_cast<double>(now_.skipped + 2);
-  const double checked = path_.open_ended() ? 0 : path.velocity;  // later rows are not checked yet
-  const StepAllowance step{dt(), kinks + joint, checked};
-  const Cause no = check_setpoint(last(), state, step, rules());
-  const bool supervised = ending_ != Ending::fault && !inside_as_a_whole();
-  if (supervised && (no == Cause::none || no == Cause::out_of_range))
-    if (const Cause limit = check_range(last(), state, rules()); limit != Cause::none) return limit;
-  if (no != Cause::none) return no;
-  if (supervised && exceeds_velocity(state, config_)) return Cause::overspeed;
-  if (supervised && in_step() && exceeds_acceleration(state, config_))
-    return Cause::overacceleration;
-  if (homing_) return Cause::none;
-  if (state.velocity > 0 && inputs_.positive_switch) return Cause::positive_switch;
-  if (state.velocity < 0 && inputs_.negative_switch) return Cause::negative_switch;
-  return Cause::none;
-}
-
-/// The velocity step that a joint of two motions may have, u/s.
-double MotionAxis::Impl::joint_step() const {
-  return *config_.limits.acceleration * seconds(config_.period);
+/// The present motion, for the check of its next setpoint.
+SupervisedMotion MotionAxis::Impl::supervised() const {
+  return {.last = last(),
+          .dt = dt(),
+          .skipped = now_.skipped,
+          .path = on_path() ? path_.peaks() : Peaks{},
+          .open_ended = path_.open_ended(),
+          .joined = joint_,
+          .bounded = inside_as_a_whole(),
+          .in_step = in_step(),
+          .stops_in_fault = ending_ == Ending::fault,
+          .searches = homing_.has_value(),
+          .positive_switch = inputs_.positive_switch,
+          .negative_switch = inputs_.negative_switch};
 }
 
 /// True if the axis follows its master in step: the master alone determines its acceleration.
 bool MotionAxis::Impl::in_step() const {
   return base_ == Base::live && live_->progress() == Progress::running;
-}
-
-/// The number with which a setpoint exceeds a limit, for Tick::fault_value.
-double MotionAxis::Impl::excess(Cause wrong, const Setpoint& next) const {
-  const auto [p, v, a] = state_of(next);
-  switch (wrong) {
-    case Cause::overspeed:
-      return std::max(reached_speed({p, v, a}, config_), std::abs(p - now_.position) / dt());
-    case Cause::overacceleration:
-      return std::abs(a);
-    case Cause::jump:
-      return std::max(std::abs(a), std::abs(v - now_.velocity) / dt());
-    default:
-      return std::numeric_limits<double>::quiet_NaN();
-  }
 }
 
 /// Returns true if the whole motion was checked against the position range when it was accepted: a

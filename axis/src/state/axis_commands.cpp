@@ -6,6 +6,7 @@
 
 #include "jounce/command/detail/command_table.hpp"
 
+#include "axis/src/group/group_role.hpp"
 #include "axis/src/state/axis_impl.hpp"
 
 // The commands of an axis, one a tick: the dispatch of all, and those for power, coordinates,
@@ -24,7 +25,7 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::take_up(const Command& command) {
   // A new motion may interrupt the stop of a released jog.
   const bool released = ending_ == Ending::release && !homing_;
   const State state = released ? State::discrete_motion : state_;
-  Cause no = against_group(command.kind());
+  Cause no = against_role(inputs_.peers, command.kind());
   if (no == Cause::none) no = against_compensation(command.kind());
   if (no == Cause::none) no = permitted(state, command.kind());
   if (no == Cause::none && needs_home(command)) no = Cause::not_homed;
@@ -49,7 +50,7 @@ bool MotionAxis::Impl::needs_home(const Command& command) const {
 
 MotionAxis::Impl::Rejection MotionAxis::Impl::power(bool on) {
   if (on && inputs_.feedback.fault) return Refusal{Cause::drive_fault};
-  if (on && inputs_.peers == Peers::failed) return axis_refusal(Cause::axis_not_ready);
+  if (on && inputs_.peers == Peers::failed) return axis_refusal(Cause::axis_not_ready, inputs_);
   if (is_group() && !on && moving()) {
     if (!path_.rests(now_.tick)) return Refusal{Cause::in_motion};
   } else if (!on && moving() && state_ != State::error_stop) {
@@ -75,7 +76,7 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Reset& /*it*/) 
   if (state_ == State::error_stop && moving() && !(on_path() && now_.velocity == 0))
     return Refusal{Cause::in_motion};
   if (state_ == State::error_stop)
-    if (auto no = against_reset()) return no;
+    if (auto no = against_reset(inputs_, moving())) return no;
   now_.fault = Cause::none;
   if (state_ != State::error_stop) return std::nullopt;
   ending_ = Ending::none;
@@ -155,7 +156,7 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::hold(bool on) {
   if (base_ == Base::live) return Refusal{Cause::not_on_path};
   if (ending_ != Ending::none) return Refusal{Cause::halting};
   if (!on && on_path())
-    if (auto no = against_axes()) return no;
+    if (auto no = against_peers()) return no;
   const bool before = std::exchange(held_, on);
   const auto no = replan();
   if (no) held_ = before;
@@ -176,7 +177,7 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Override& what)
   if (above_.running() && factor > most) return Refusal{Cause::in_motion, factor, most};
   // In a fault, after a stop and while held, the factor sets nothing in motion.
   if (on_path() && factor > 0 && !held_ && ending_ == Ending::none)
-    if (auto no = against_axes()) return no;
+    if (auto no = against_peers()) return no;
   const double before = std::exchange(factor_, factor + 0.0);  // no -0
   if (!moving() || ending_ != Ending::none || base_ == Base::live) return std::nullopt;
   if (base_ == Base::group) return std::nullopt;

@@ -17,10 +17,12 @@
 #include "axis/src/group/path_way.hpp"
 #include "axis/src/homing/homing.hpp"
 #include "axis/src/motion/armed_motion.hpp"
+#include "axis/src/motion/later_command.hpp"
 #include "axis/src/motion/move_goal.hpp"
 #include "axis/src/motion/move_player.hpp"
 #include "axis/src/motion/path_player.hpp"
 #include "axis/src/motion/repetition.hpp"
+#include "axis/src/motion/setpoint_supervision.hpp"
 #include "axis/src/motion/superimposed_move.hpp"
 #include "axis/src/motion/waiting_moves.hpp"
 #include "axis/src/probe/position_history.hpp"
@@ -60,9 +62,7 @@ class MotionAxis::Impl {
   Cause advance(Setpoint& next);
   Cause advance_live(Setpoint& next);
   Cause advance_move(Setpoint& next);
-  [[nodiscard]] Cause judge(const Setpoint& next) const;
-  [[nodiscard]] double excess(Cause wrong, const Setpoint& next) const;
-  [[nodiscard]] double joint_step() const;
+  [[nodiscard]] SupervisedMotion supervised() const;
   [[nodiscard]] bool in_step() const;
   [[nodiscard]] bool inside_as_a_whole() const;
   void give_out(const Setpoint& next);
@@ -130,11 +130,8 @@ class MotionAxis::Impl {
   Rejection replan();
 
   // axis_group.cpp: a group, and an axis of a group
-  [[nodiscard]] Cause against_group(CommandKind kind) const;
   [[nodiscard]] Cause against_compensation(CommandKind kind) const;
-  [[nodiscard]] Rejection against_axes() const;
-  [[nodiscard]] Rejection against_reset() const;
-  [[nodiscard]] Refusal axis_refusal(Cause cause) const;
+  [[nodiscard]] Rejection against_peers() const;
   [[nodiscard]] Rejection against_extension(const command::Extend& what) const;
   void follow_group();
   Cause advance_group(Setpoint& next) const;
@@ -179,12 +176,8 @@ class MotionAxis::Impl {
   void disarm();
   void begin_due();
   [[nodiscard]] std::optional<Moment> begins_at();
-  [[nodiscard]] std::optional<Moment> crossing() const;
-  [[nodiscard]] std::optional<Refusal> against_demand(const Moment& start) const;
-  [[nodiscard]] std::optional<Refusal> against_jump() const;
   [[nodiscard]] double followed_ratio() const;
-  [[nodiscard]] Refusal begin_refusal(Cause no, const MotionState& state) const;
-  [[nodiscard]] std::optional<Refusal> against_switch(const Movement& path) const;
+  [[nodiscard]] Rejection against_active_switch() const;
   void begin_pending(const Moment& at);
   void enter(const ArmedMotion& begun);
   [[nodiscard]] std::optional<MotionState> state_at(const Moment& at, Cause& no);
@@ -257,7 +250,7 @@ class MotionAxis::Impl {
   MovePlayer move_;
   SuperimposedMove above_;                         // superimposed on the motion
   WaitingMoves next_;                              // moves that wait for the end of the motion
-  std::optional<Command> later_;                   // the command that waits for its tick
+  LaterCommand later_;                             // the command that waits for its tick
   std::optional<Repetition> repetition_;           // strokes of the move
   std::optional<command::ChangeVelocity> change_;  // waits until the move passes its position
 
