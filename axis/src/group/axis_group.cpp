@@ -46,8 +46,7 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Extend& what) {
   }
   hand_back(path_.path());
   path_.take_over(*movement, now_.tick, what.shift);
-  path_outputs_.continue_as(*movement, what.shift);
-  if (compares_way_) path_way_.continue_as(*movement, what.shift);
+  outputs_.continue_as(*movement, what.shift);
   return std::nullopt;
 }
 
@@ -65,20 +64,6 @@ Cause MotionAxis::Impl::advance_group(Setpoint& next) const {
   const bool led = inputs_.peers == Peers::led || inputs_.peers == Peers::landing;
   next = {0, 0, inputs_.master};
   return led && std::isfinite(inputs_.master[0]) ? Cause::none : Cause::master_lost;
-}
-
-/// Keeps the setpoints of the axes of a group at the rate of this tick.
-void MotionAxis::Impl::keep_parts() {
-  if (!on_path()) return;
-  const std::span<const Jet> parts = path_->parts();
-  if (parts.empty()) return;
-  const PathTime time = path_.time(now_.tick);
-  part_count_ = parts.size();
-  for (std::size_t k = 0; k < parts.size(); ++k) parts_[k] = at_rate({0, 0, parts[k]}, time).slave;
-}
-
-std::span<const Jet> MotionAxis::Impl::parts() const {
-  return std::span(parts_).first(part_count_);
 }
 
 std::span<const Jet> MotionAxis::Impl::places() const {

@@ -93,7 +93,7 @@ void MotionAxis::Impl::freeze() {
   base_ = Base::rest;
   ending_ = Ending::none;
   held_ = false;
-  homing_.reset();
+  home_.end();
   repetition_.reset();
   change_.reset();
   above_.clear();

@@ -121,7 +121,7 @@ bool MotionAxis::Impl::plan_from(const TimedState& from, const Goal& goal, doubl
   Goal aim = goal;
   aim.through = through(from.state, goal, factor);
   // A homing waits by its own acceleration, any other move by that of the axis.
-  if (homing_ && !(factor > 0)) return move_.pause(from, aim, rules());
+  if (home_.running() && !(factor > 0)) return move_.pause(from, aim, rules());
   return move_.begin(from, aim, factor, rules(), ahead);
 }
 

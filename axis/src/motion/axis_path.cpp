@@ -116,7 +116,7 @@ void MotionAxis::Impl::swap(double boundary, MotionState end) {
   end.position += above_.finished();
   if (const Cause no = armed_->begin(end, moment()); no != Cause::none)
     return drop({.cause = no, .value = end.position});
-  if (compares_way_ && is_group()) path_way_.leave(*path_.path(), boundary);
+  if (is_group()) outputs_.leave(*path_.path(), boundary);
   hand_back(path_.path());
   const ArmedMotion begun = std::exchange(armed_, {});
   path_.take_over(*begun.movement(), now_.tick, boundary);

@@ -147,7 +147,7 @@ std::optional<Moment> MotionAxis::Impl::begins_at() {
     return Moment{-seconds(late * config_.period), dt(), inputs_.master};
   }
   if (armed_.when() == StartAt::master_position)
-    return crossing(armed_.position(), last_master_, inputs_.master, dt());
+    return crossing(armed_.position(), master_.last(), inputs_.master, dt());
   if (base_ == Base::live) return live_.pass_end(moment(), now_.tick);
   drop({.cause = Cause::no_movement});  // that movement has ended
   return std::nullopt;
@@ -199,7 +199,7 @@ void MotionAxis::Impl::begin_pending(const Moment& at) {
   if (const auto refusal = against_peers()) return drop(*refusal);
   if (is_group()) {  // the length along its path
     now_.position = 0;
-    path_way_.reset();
+    outputs_.begin_path();
   }
   const bool live = armed_.is_live();
   Cause no = Cause::none;
@@ -219,7 +219,7 @@ void MotionAxis::Impl::begin_pending(const Moment& at) {
   if (const auto refusal = against_demand(*armed_, begin, config_)) return drop(*refusal);
   const ArmedMotion begun = std::exchange(armed_, {});
   const bool was_moving = moving();
-  const bool was_registered = is_registered();
+  const bool was_registered = master_.registers(follows_master());
   drop_movement();
   forget_next();
   held_ = false;
@@ -229,7 +229,7 @@ void MotionAxis::Impl::begin_pending(const Moment& at) {
   if (live) {
     base_ = Base::live;
     live_.begin(*begun.movement(), now_.tick);
-    if (is_registered() && !was_registered) registration_->begin(inputs_.master[0]);
+    if (follows_master() && !was_registered) master_.begin(inputs_.master[0]);
   } else {
     // At full speed, path time is bit for bit ticks * period since the tick of the start.
     const double ahead = begun.when() == StartAt::tick ? 0 : -at.t;
@@ -245,8 +245,7 @@ void MotionAxis::Impl::enter(const ArmedMotion& begun) {
   group_ = begun.group();
   joint_ = true;
   state_ = playing_state();
-  has_master_ = begun->synchronized();
-  outputs_.place(SwitchesOf::master);
+  outputs_.enter(begun->synchronized());
 }
 
 State MotionAxis::Impl::playing_state() const {

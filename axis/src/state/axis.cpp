@@ -17,18 +17,15 @@ namespace jounce {
 MotionAxis::Impl::Impl(const AxisConfig& config, const AxisSwitches& switches,
                        const AxisCompare& compare)
     : config_(resolved(config)),
-      unranged_(config_),
+      master_(config_),
+      coordinate_(config_),
       path_(config_),
       live_(config_.period),
       move_(config_.period),
       above_(config_),
-      plane_axes_(compare.plane_axes),
-      outputs_(switches, compare),
-      compares_way_(compare.list.has_value()) {
-  if (config_.registration) registration_.emplace(*config_.registration);
-  if (config_.compensation) compensation_.emplace(*config_.compensation, config_.modulo);
+      home_(config_),
+      outputs_(switches, compare) {
   now_.position = config_.position;
-  unranged_.limits.position_min = unranged_.limits.position_max = std::nullopt;
 }
 
 Tick MotionAxis::Impl::step(std::int64_t tick, const Command& command, const Inputs& inputs) {
@@ -42,13 +39,13 @@ Tick MotionAxis::Impl::step(std::int64_t tick, const Command& command, const Inp
   now_.frozen = false;
   if (base_ != Base::live) now_.profile.clear();
   joint_ = false;
-  path_outputs_.step();
+  outputs_.begin_tick();
   const bool rested = !moving();
   if (state_ == State::homing && !moving()) state_ = State::standstill;
   for (Movement* const movement : {active(), armed_.movement(), movement_of(command.what)})
     if (movement != nullptr) movement->see(inputs.rows);
   take(inputs);
-  register_marks();
+  inputs_.master = master_.corrected(inputs_.master, inputs_.feedback.triggers, follows_master());
   obey_due();
   obey(command);
   watch();
@@ -60,8 +57,7 @@ Tick MotionAxis::Impl::step(std::int64_t tick, const Command& command, const Inp
   operate_outputs();
   probe();
   last_tick_ = tick;
-  last_master_ = inputs_.master;
-  end_of_marks();
+  master_.end_tick(inputs_.master, follows_master());
   report();
   return now_;
 }
@@ -81,7 +77,10 @@ void MotionAxis::Impl::report() {
     now_.next = {armed_.group(), armed_.waiting(), armed_.tick_or(-1)};
   now_.held = held_;
   now_.ratio = base_ == Base::live ? live_->ratio() : 0;
-  now_.compensated = compensation_ && compensation_->active();
+  now_.compensated = coordinate_.compensates();
+  now_.offset = coordinate_.offset();
+  now_.correction = coordinate_.correction();
+  now_.registration = master_.reading();
   now_.waiting = armed_.waiting() || !next_.empty() || later_.waits() || change_;
   now_.later = later_.tick();
   const bool at_master = armed_.waiting() && armed_.when() == StartAt::master_position;
@@ -104,7 +103,7 @@ void MotionAxis::Impl::take(const Inputs& inputs) {
   inputs_.positive_switch |= inputs_.feedback.sensors.positive.on;
   inputs_.negative_switch |= inputs_.feedback.sensors.negative.on;
   see_renamed(before);
-  remember_master();
+  master_.see(dt(), inputs_.master);
   see_feedback();
   now_.torque = inputs_.feedback.torque;
   // A disabled axis takes the position of its drive: enabling causes no motion.
@@ -118,11 +117,9 @@ void MotionAxis::Impl::see_renamed(const Inputs& before) {
   live_.shift_second(inputs_.second_offset - before.second_offset);
   const double by = inputs_.master_offset - before.master_offset;
   if (by == 0) return;
-  last_master_[0] += by;
-  master_seen_.shift(by);
+  master_.shift(by);
   live_.shift_master(by);
-  if (registration_) registration_->shift(by);
-  if (base_ == Base::live) outputs_.place(SwitchesOf::master);
+  if (base_ == Base::live) outputs_.rename_master();
 }
 
 void MotionAxis::Impl::watch() {
@@ -163,7 +160,7 @@ void MotionAxis::Impl::play() {
     Setpoint next;
     const bool waits = base_ == Base::live && live_->progress() == Progress::waiting;
     Cause wrong = advance(next);
-    add_correction(next);
+    master_.correct_slave(next.slave, follows_master());
     const MotionState bare = state_of(next);
     if (wrong == Cause::none) {
       above_.add_to(next, now_.tick);
@@ -194,14 +191,13 @@ Cause MotionAxis::Impl::advance_live(Setpoint& next) {
   const double reported = before.empty() ? std::numeric_limits<double>::quiet_NaN()
                                          : before.back().t - dt();  // from this tick
   now_.profile.clear();
-  const bool moved = inputs_.master[0] != last_master_[0];
+  const bool moved = inputs_.master[0] != master_.last()[0];
   if (const auto end = live_.pass_end(moment(), now_.tick);
       end && moved && !(std::abs(end->t - reported) < dt() / 2))
     live_.add_pass(*end, now_.tick, now_.profile);
   next = live_.at(moment(), now_.tick);
   live_.add_events(now_.tick, now_.profile);
-  const bool fails = is_registered() && registration_->spec().on_loss == MarkLoss::fault;
-  if (fails && registration_->reading().lost) return Cause::marks_lost;
+  if (master_.fails(follows_master())) return Cause::marks_lost;
   if (live_->progress() != Progress::broken) return Cause::none;
   return is_fault(live_->cause()) ? live_->cause() : Cause::master_lost;
 }
@@ -226,7 +222,7 @@ SupervisedMotion MotionAxis::Impl::supervised() const {
           .bounded = inside_as_a_whole(),
           .in_step = in_step(),
           .stops_in_fault = ending_ == Ending::fault,
-          .searches = homing_.has_value(),
+          .searches = home_.running(),
           .positive_switch = inputs_.positive_switch,
           .negative_switch = inputs_.negative_switch};
 }
@@ -248,11 +244,7 @@ bool MotionAxis::Impl::inside_as_a_whole() const {
 void MotionAxis::Impl::give_out(const Setpoint& next) {
   const auto& [p, v, a, j] = next.slave;
   path_.put_out(now_.tick);
-  keep_parts();
-  if (is_group() && on_path()) {
-    path_outputs_.pass(*path_.path(), path_.time(now_.tick), dt());
-    if (compares_way_) path_way_.pass(*path_.path(), path_.time(now_.tick));
-  }
+  if (on_path()) outputs_.put_out(*path_.path(), path_.time(now_.tick), dt(), is_group());
   now_.master = next.master;
   now_.master_velocity = next.master_velocity;
   now_.position = p;
@@ -261,18 +253,14 @@ void MotionAxis::Impl::give_out(const Setpoint& next) {
 }
 
 void MotionAxis::Impl::operate_outputs() {
-  OutputPlaces places;
-  places.commanded = {now_.position, now_.velocity};
-  if (is_group() && compares_way_)
-    places.way = {path_way_.length(), on_path() ? path_way_.velocity() : 0};
-  places.actual = {now_.actual_position, inputs_.feedback.velocity};
-  if (has_master_) places.master = {now_.master, now_.master_velocity};
-  for (std::size_t k = 0; k < plane_axes_.size() && plane_axes_[k] < part_count_; ++k)
-    places.plane[k] = {parts_[plane_axes_[k]][0], parts_[plane_axes_[k]][1]};
-  outputs_.step(places, dt());
+  outputs_.step({.commanded = {now_.position, now_.velocity},
+                 .actual = {now_.actual_position, inputs_.feedback.velocity},
+                 .master = {now_.master, now_.master_velocity},
+                 .is_group = is_group(),
+                 .on_path = on_path(),
+                 .disabled = state_ == State::disabled},
+                dt());
   now_.switches = outputs_.switches();
-  if (is_group() && state_ == State::disabled) path_outputs_.off();
-  path_outputs_.add_to(now_.switches);
   now_.compare = outputs_.compare();
 }
 
@@ -311,7 +299,7 @@ MotionState MotionAxis::Impl::last() const {
 /// The requested rate of the motion; a path may grant less.
 double MotionAxis::Impl::requested_rate() const {
   if (held_ || ending_ != Ending::none) return 0;
-  return homing_ ? std::min(factor_, 1.0) : factor_;  // a homing has its own velocities
+  return home_.running() ? std::min(factor_, 1.0) : factor_;  // a homing has its own velocities
 }
 
 PathRequest MotionAxis::Impl::request() const {

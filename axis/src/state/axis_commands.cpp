@@ -23,7 +23,7 @@ void MotionAxis::Impl::obey(const Command& command) {
 
 MotionAxis::Impl::Rejection MotionAxis::Impl::take_up(const Command& command) {
   // A new motion may interrupt the stop of a released jog.
-  const bool released = ending_ == Ending::release && !homing_;
+  const bool released = ending_ == Ending::release && !home_.running();
   const State state = released ? State::discrete_motion : state_;
   Cause no = against_role(inputs_.peers, command.kind());
   if (no == Cause::none) no = against_compensation(command.kind());
@@ -101,8 +101,8 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::set_position(double position) {
   if (!std::isfinite(position)) return Refusal{Cause::no_value, position};
   if (!(std::abs(position) <= furthest(config_)))
     return Refusal{Cause::position_limit, position, furthest(config_)};
-  now_.offset += position - now_.position;
-  rename(position - now_.position);
+  coordinate_.move_by(position - now_.position);
+  outputs_.rename();
   now_.position = position;
   return std::nullopt;
 }
@@ -112,8 +112,8 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::set_position(double position) {
 MotionAxis::Impl::Rejection MotionAxis::Impl::end_motion(Ending ending, const MoveDynamics& asked) {
   // A search has no position range: it always ends with the stop of the axis.
   MoveDynamics dynamics;
-  if (!homing_) dynamics = {.deceleration = asked.deceleration, .jerk = asked.jerk};
-  const bool stops = ending != Ending::halt || homing_;
+  if (!home_.running()) dynamics = {.deceleration = asked.deceleration, .jerk = asked.jerk};
+  const bool stops = ending != Ending::halt || home_.running();
   if (auto no = stops ? fill_stop(dynamics, config_) : fill(dynamics, config_)) return no;
   if (base_ == Base::group) return std::nullopt;  // the machine stops its group
   break_groups();

@@ -9,13 +9,11 @@
 #include <span>
 
 #include "jounce/axis/axis.hpp"
-#include "jounce/path/point.hpp"
 
+#include "axis/src/compensation/axis_coordinate.hpp"
 #include "axis/src/follow/live_player.hpp"
 #include "axis/src/group/group_state.hpp"
-#include "axis/src/group/path_outputs.hpp"
-#include "axis/src/group/path_way.hpp"
-#include "axis/src/homing/homing.hpp"
+#include "axis/src/homing/home_search.hpp"
 #include "axis/src/motion/armed_motion.hpp"
 #include "axis/src/motion/later_command.hpp"
 #include "axis/src/motion/move_goal.hpp"
@@ -25,9 +23,9 @@
 #include "axis/src/motion/setpoint_supervision.hpp"
 #include "axis/src/motion/superimposed_move.hpp"
 #include "axis/src/motion/waiting_moves.hpp"
-#include "axis/src/probe/position_history.hpp"
+#include "axis/src/probe/registered_master.hpp"
 #include "axis/src/probe/touch_probe.hpp"
-#include "axis/src/state/outputs.hpp"
+#include "axis/src/state/axis_outputs.hpp"
 #include "axis/src/state/supervision.hpp"
 
 namespace jounce {
@@ -41,7 +39,7 @@ class MotionAxis::Impl {
   Jet compensate(const References& references);
   [[nodiscard]] const AxisConfig& config() const { return config_; }
   [[nodiscard]] State state() const { return state_; }
-  [[nodiscard]] std::span<const Jet> parts() const;
+  [[nodiscard]] std::span<const Jet> parts() const { return outputs_.parts(); }
   [[nodiscard]] std::span<const Jet> places() const;
 
  private:
@@ -135,22 +133,14 @@ class MotionAxis::Impl {
   [[nodiscard]] Rejection against_extension(const command::Extend& what) const;
   void follow_group();
   Cause advance_group(Setpoint& next) const;
-  void keep_parts();
   [[nodiscard]] bool is_group() const { return is_of_group(inputs_.peers); }
 
-  // axis_registration.cpp: positions of the last ticks, touch probes, registration
-  void remember_master();
-  [[nodiscard]] bool is_registered() const;
-  void register_marks();
-  void end_of_marks();
-  void add_correction(Setpoint& next) const;
-  void probe();
-
-  // axis_compensation.cpp: the compensation, and feedback in the coordinate of the axis
+  // axis_coordinate.cpp: coordinates of the axis and of its master, compensation, touch probes
+  [[nodiscard]] bool follows_master() const;
   Rejection set_compensation(bool on);
   void see_feedback();
   [[nodiscard]] bool keeps_coordinate() const;
-  void rename(double by);
+  void probe();
 
   // axis_phasing.cpp: the phase shift of a coupling
   Rejection act(const command::PhasingAbsolute& what);
@@ -169,8 +159,7 @@ class MotionAxis::Impl {
   void seek();
   void find_home();
   [[nodiscard]] Homing::Seen seen() const;
-  /// The limits in effect; during homing, without the position range.
-  [[nodiscard]] const AxisConfig& rules() const { return homing_ ? unranged_ : config_; }
+  [[nodiscard]] const AxisConfig& rules() const { return home_.rules(); }
 
   // axis_starts.cpp: armed movements and their starts
   void disarm();
@@ -233,11 +222,11 @@ class MotionAxis::Impl {
   void drop_movement();
 
   AxisConfig config_;
-  AxisConfig unranged_;  // config_ without the position range
   State state_ = State::disabled;
   std::int64_t last_tick_ = -1;
   Inputs inputs_;
-  Jet last_master_ = Inputs{}.master;  // last value of the live master
+  RegisteredMaster master_;
+  AxisCoordinate coordinate_;
   Supervision windows_;
 
   ArmedMotion armed_;
@@ -257,27 +246,12 @@ class MotionAxis::Impl {
   Ending ending_ = Ending::none;
   double factor_ = 1;  // override
   bool held_ = false;
-  std::int64_t begun_ = 0;             // tick at which the motion began
-  TimedState bare_;                    // the last output setpoint, without the superimposed move
-  bool joint_ = false;                 // true if one motion continues another in this tick
-  std::array<Jet, max_axes> parts_{};  // setpoints of the axes of a group
-  std::size_t part_count_ = 0;
-
-  std::optional<Homing> homing_;  // the homing in progress, until the axis is at rest
-
+  std::int64_t begun_ = 0;  // tick at which the motion began
+  TimedState bare_;         // the last output setpoint, without the superimposed move
+  bool joint_ = false;      // true if one motion continues another in this tick
+  HomeSearch home_;         // runs until the axis is at rest
   TouchProbes probes_;
-  PositionHistory commanded_seen_, actual_seen_, master_seen_;
-  std::optional<LiveRegistration> registration_;
-  Jet phase_{};  // correction of the master that inputs_.master includes
-  std::optional<LiveCompensation> compensation_;
-  double in_feedback_ = 0;  // correction that the feedback of this tick includes
-
-  bool has_master_ = false;  // true from the start of a cam to the next table without a cam
-  std::array<std::size_t, 2> plane_axes_;
-  Outputs outputs_;
-  PathOutputs path_outputs_;  // outputs of the path of a group
-  PathWay path_way_;          // its length, for the position compare
-  bool compares_way_ = false;
+  AxisOutputs outputs_;
   Tick now_;
 };
 
