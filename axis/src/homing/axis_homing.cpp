@@ -27,8 +27,8 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Home& what) {
 }
 
 Homing::Seen MotionAxis::Impl::seen() const {
-  const bool at_rest =
-      base_ == Base::move && move_.goal().kind == Goal::Kind::rest && move_.is_over(bare_.tick);
+  const bool at_rest = base_ == Base::move && own_.goal().kind == Goal::Kind::rest &&
+                       own_.player().is_over(bare_.tick);
   Sensors sensors = inputs_.feedback.sensors;
   sensors.positive.on = sensors.positive.on || inputs_.positive_switch;
   sensors.negative.on = sensors.negative.on || inputs_.negative_switch;
@@ -43,7 +43,7 @@ void MotionAxis::Impl::seek() {
   if (!next.velocity) return;
   const double velocity = *next.velocity;
   Goal goal{velocity == 0 ? Goal::Kind::rest : Goal::Kind::velocity, velocity,
-            move_.goal().dynamics};
+            own_.goal().dynamics};
   if (velocity != 0) goal.dynamics.velocity = std::abs(velocity);
   if (!adopt(goal, requested_rate())) fail(Cause::jump);
 }

@@ -13,12 +13,12 @@ namespace jounce {
 void MotionAxis::Impl::conclude() {
   if (state_ == State::homing) return;  // homing sets its state itself when it ends
   if (base_ == Base::move) {
-    if (!move_.is_over(now_.tick)) return;
+    if (!own_.player().is_over(now_.tick)) return;
     if (ending_ != Ending::none) return rest();
-    if (requested_rate() == 0 || repeats()) return;
-    const Goal& goal = move_.goal();
+    if (requested_rate() == 0 || own_.repeats()) return;
+    const Goal& goal = own_.goal();
     if (goal.kind == Goal::Kind::position || goal.value == 0) return rest();
-    if (!next_.empty()) begin_next();
+    if (!own_.waiting().empty()) begin_next();
     return;
   }
   if (base_ == Base::group) {
@@ -73,7 +73,7 @@ void MotionAxis::Impl::rest() {
   const bool held = held_;
   freeze();
   if (!goes_on) {
-    if (!next_.empty() && ended) begin_next();
+    if (!own_.waiting().empty() && ended) begin_next();
     return;
   }
   // The superimposed move continues alone.
@@ -94,8 +94,7 @@ void MotionAxis::Impl::freeze() {
   ending_ = Ending::none;
   held_ = false;
   home_.end();
-  repetition_.reset();
-  change_.reset();
+  own_.forget_changes();
   above_.clear();
   now_.master_velocity = now_.velocity = now_.acceleration = 0;
 }

@@ -24,8 +24,8 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::move(const BufferedMove& what) {
 
 /// Counts from the target of the present move, if it has one.
 MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::MoveAdditive& what) {
-  const bool aimed = base_ == Base::move && move_.goal().kind != Goal::Kind::velocity;
-  const double start = aimed ? move_.goal().value + above_.finished() : now_.position;
+  const bool aimed = base_ == Base::move && own_.goal().kind != Goal::Kind::velocity;
+  const double start = aimed ? own_.goal().value + above_.finished() : now_.position;
   Goal goal;
   if (auto no = goal_of(what, start, last(), move_rules(), goal)) return no;
   return take_over(goal);
@@ -42,9 +42,9 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::MoveSuperimpose
 
 /// The move replaces the present motion and the waiting moves.
 MotionAxis::Impl::Rejection MotionAxis::Impl::take_over(const Goal& goal) {
-  const WaitingMoves waited = std::exchange(next_, {});
+  const WaitingMoves waited = own_.take_all();
   if (!go(goal)) {
-    next_ = waited;
+    own_.keep(waited);
     return Refusal{Cause::no_such_move, goal.value};
   }
   forget(waited);
@@ -55,11 +55,26 @@ MoveRules MotionAxis::Impl::move_rules() const {
   return {config_, inputs_.positive_switch, inputs_.negative_switch};
 }
 
+MoveConditions MotionAxis::Impl::conditions() const {
+  return {.tick = now_.tick,
+          .last_tick = last_tick_,
+          .rules = rules(),
+          .searches = home_.running(),
+          .positive_switch = inputs_.positive_switch,
+          .negative_switch = inputs_.negative_switch,
+          .factor = factor_,
+          .rate = requested_rate(),
+          .stopping = ending_ != Ending::none,
+          .added = above_.running(),
+          .shifted = above_.shifts(),
+          .shift = above_.finished()};
+}
+
 /// The greatest magnitudes of the motion below a superimposed move. Behind a live master, these are
 /// the magnitudes that the axis needs anywhere on its cam, for the present motion of the master.
 Peaks MotionAxis::Impl::beneath() const {
   if (on_path()) return path_.peaks_at_rate();
-  if (base_ == Base::move) return move_.peaks_up_to(factor_);
+  if (base_ == Base::move) return own_.player().peaks_up_to(factor_);
   const Peaks ramp = live_->peaks();
   const Peaks phase = live_.phase().peaks(now_.tick);
   const auto& [p, v, a] = bare_.state;
@@ -108,8 +123,7 @@ bool MotionAxis::Impl::adopt(const Goal& goal, double factor) {
   if (!plan_from({last(), moving() ? bare_.tick : now_.tick}, goal, factor)) return false;
   if (path_.swaps()) disarm();
   drop_movement();
-  repetition_.reset();
-  change_.reset();
+  own_.forget_changes();
   above_.clear();
   bare_.state = last();
   base_ = Base::move;
@@ -118,18 +132,14 @@ bool MotionAxis::Impl::adopt(const Goal& goal, double factor) {
 
 bool MotionAxis::Impl::plan_from(const TimedState& from, const Goal& goal, double factor,
                                  double ahead) {
-  Goal aim = goal;
-  aim.through = through(from.state, goal, factor);
-  // A homing waits by its own acceleration, any other move by that of the axis.
-  if (home_.running() && !(factor > 0)) return move_.pause(from, aim, rules());
-  return move_.begin(from, aim, factor, rules(), ahead);
+  return own_.plan(from, goal, factor, conditions(), ahead);
 }
 
 /// Plans the move for another rate. A move that comes to rest absorbs the superimposed move.
 bool MotionAxis::Impl::replan_move() {
   const double rate = requested_rate();
-  if (rate > 0 || !above_.shifts()) return plan_from(bare_, move_.goal(), rate);
-  Goal both = move_.goal();
+  if (rate > 0 || !above_.shifts()) return plan_from(bare_, own_.goal(), rate);
+  Goal both = own_.goal();
   both.value += above_.distance();
   if (!plan_from({last(), bare_.tick}, both, rate)) return false;
   bare_.state = last();
@@ -143,7 +153,7 @@ void MotionAxis::Impl::brake(double deceleration) {
   for (const double a : {deceleration, std::max(deceleration, config_.stop_acceleration)}) {
     if (!adopt({Goal::Kind::rest, 0, {*config_.limits.velocity, a, a, jerk}}, 1)) return cut_off();
     ending_ = Ending::fault;
-    if (stays_inside(move_.plan(), rules())) return;  // otherwise harder
+    if (stays_inside(own_.player().plan(), rules())) return;  // otherwise harder
   }
 }
 

@@ -49,11 +49,11 @@ std::optional<MotionState> MotionAxis::Impl::expected_end() const {
   if (!moving()) return MotionState{now_.position, 0, 0};
   const double above = above_.distance();
   if (base_ == Base::move) {
-    if (repeats()) return std::nullopt;
-    const Goal& goal = move_.goal();
+    if (own_.repeats()) return std::nullopt;
+    const Goal& goal = own_.goal();
     if (goal.kind == Goal::Kind::velocity && goal.value != 0) return std::nullopt;
     const bool there = goal.kind == Goal::Kind::position;
-    return MotionState{(there ? goal.value : move_.plan().end().position) + above, 0, 0};
+    return MotionState{(there ? goal.value : own_.player().plan().end().position) + above, 0, 0};
   }
   auto end = active()->end();
   if (end) end->position += above;

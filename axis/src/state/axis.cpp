@@ -21,7 +21,7 @@ MotionAxis::Impl::Impl(const AxisConfig& config, const AxisSwitches& switches,
       coordinate_(config_),
       path_(config_),
       live_(config_.period),
-      move_(config_.period),
+      own_(config_),
       above_(config_),
       home_(config_),
       outputs_(switches, compare) {
@@ -81,7 +81,8 @@ void MotionAxis::Impl::report() {
   now_.offset = coordinate_.offset();
   now_.correction = coordinate_.correction();
   now_.registration = master_.reading();
-  now_.waiting = armed_.waiting() || !next_.empty() || later_.waits() || change_;
+  now_.waiting =
+      armed_.waiting() || !own_.waiting().empty() || later_.waits() || own_.changes_later();
   now_.later = later_.tick();
   const bool at_master = armed_.waiting() && armed_.when() == StartAt::master_position;
   now_.start_position = at_master ? armed_.position() : std::numeric_limits<double>::quiet_NaN();
@@ -203,11 +204,14 @@ Cause MotionAxis::Impl::advance_live(Setpoint& next) {
 }
 
 Cause MotionAxis::Impl::advance_move(Setpoint& next) {
-  change_if_passed();
-  if (const Cause no = begin_strokes(); no != Cause::none) return no;
-  while (passes() && move_.is_over(now_.tick))  // a late cycle may pass several
-    if (const Cause no = pass_target(); no != Cause::none) return no;
-  next = {now_.master, 0, move_.at(now_.tick)};
+  const OwnMove::Step step = own_.advance(conditions());
+  if (step.dropped) now_.dropped = step.dropped;
+  now_.finished += static_cast<std::uint64_t>(step.passed);
+  if (step.passed > 0)
+    state_ = own_.goal().kind == Goal::Kind::velocity ? State::continuous_motion
+                                                      : State::discrete_motion;
+  if (step.fault != Cause::none) return step.fault;
+  next = {now_.master, 0, own_.player().at(now_.tick)};
   return Cause::none;
 }
 
@@ -238,7 +242,7 @@ bool MotionAxis::Impl::in_step() const {
 bool MotionAxis::Impl::inside_as_a_whole() const {
   if (above_.shifts()) return false;
   if (on_path()) return path_->bounded();
-  return base_ == Base::move && move_.goal().kind == Goal::Kind::position && requested_rate() > 0;
+  return base_ == Base::move && own_.goal().kind == Goal::Kind::position && requested_rate() > 0;
 }
 
 void MotionAxis::Impl::give_out(const Setpoint& next) {

@@ -188,10 +188,10 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Override& what)
 
 /// Agito StopRep: finishes the stroke; the next one does not begin.
 MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Finish& /*it*/) {
-  if (!on_path() && !repetition_) return Refusal{Cause::not_on_path};
+  if (!on_path() && !own_.is_stroke()) return Refusal{Cause::not_on_path};
   if (ending_ != Ending::none) return Refusal{Cause::halting};
-  if (repetition_) {
-    repetition_->finish();
+  if (own_.is_stroke()) {
+    own_.finish_strokes();
     return std::nullopt;
   }
   if (!std::isinf(path_->known()) || path_->pass() <= 0) return std::nullopt;

@@ -17,12 +17,10 @@
 #include "axis/src/motion/armed_motion.hpp"
 #include "axis/src/motion/later_command.hpp"
 #include "axis/src/motion/move_goal.hpp"
-#include "axis/src/motion/move_player.hpp"
+#include "axis/src/motion/own_move.hpp"
 #include "axis/src/motion/path_player.hpp"
-#include "axis/src/motion/repetition.hpp"
 #include "axis/src/motion/setpoint_supervision.hpp"
 #include "axis/src/motion/superimposed_move.hpp"
-#include "axis/src/motion/waiting_moves.hpp"
 #include "axis/src/probe/registered_master.hpp"
 #include "axis/src/probe/touch_probe.hpp"
 #include "axis/src/state/axis_outputs.hpp"
@@ -150,10 +148,6 @@ class MotionAxis::Impl {
   // axis_strokes.cpp: repetitive moves, and changes of the velocity of a move
   Rejection act(const command::MoveRepetitive& what);
   Rejection act(const command::ChangeVelocity& what);
-  Cause begin_strokes();
-  [[nodiscard]] bool repeats() const;
-  Rejection change_velocity(double velocity, const TimedState& from, double ahead);
-  void change_if_passed();
 
   // axis_homing.cpp: the search for the home position
   void seek();
@@ -191,6 +185,8 @@ class MotionAxis::Impl {
   Rejection superimpose(double distance, const MoveDynamics& dynamics);
   Rejection decouple();
   [[nodiscard]] MoveRules move_rules() const;
+  [[nodiscard]] MoveConditions conditions() const;
+  [[nodiscard]] const TimedState* planned() const { return base_ == Base::move ? &bare_ : nullptr; }
   [[nodiscard]] Peaks beneath() const;
   bool go(const Goal& goal);
   bool adopt(const Goal& goal, double factor);
@@ -204,9 +200,7 @@ class MotionAxis::Impl {
   void obey_due();
   void forget_later();
   Rejection buffer(const BufferedMove& move);
-  [[nodiscard]] double through(const MotionState& from, const Goal& goal, double factor) const;
-  [[nodiscard]] bool passes() const;
-  Cause pass_target();
+  [[nodiscard]] bool passes() const { return base_ == Base::move && own_.passes(); }
   Rejection take_back_next();
   void begin_next();
   void forget(const WaitingMoves& moves);
@@ -236,12 +230,9 @@ class MotionAxis::Impl {
   Base base_ = Base::rest;
   PathPlayer path_;
   LivePlayer live_;
-  MovePlayer move_;
-  SuperimposedMove above_;                         // superimposed on the motion
-  WaitingMoves next_;                              // moves that wait for the end of the motion
-  LaterCommand later_;                             // the command that waits for its tick
-  std::optional<Repetition> repetition_;           // strokes of the move
-  std::optional<command::ChangeVelocity> change_;  // waits until the move passes its position
+  OwnMove own_;
+  SuperimposedMove above_;  // superimposed on the motion
+  LaterCommand later_;      // the command that waits for its tick
 
   Ending ending_ = Ending::none;
   double factor_ = 1;  // override
