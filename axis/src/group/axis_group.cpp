@@ -14,20 +14,21 @@
 namespace jounce {
 /// The reason why a group at rest cannot begin or continue its path, or none.
 MotionAxis::Impl::Rejection MotionAxis::Impl::against_peers() const {
-  if (!is_group() || (on_path() && !path_.rests(now_.tick))) return std::nullopt;
+  if (!is_group() || (on_path() && !motion_.path().rests(now_.tick))) return std::nullopt;
   return against_axes(inputs_);
 }
 
 /// The reason why a group cannot take a longer path, or none.
 MotionAxis::Impl::Rejection MotionAxis::Impl::against_extension(const command::Extend& what) const {
   if (!on_path()) return Refusal{Cause::no_movement};
-  if (path_->parts().empty()) return Refusal{Cause::single_axis};
-  if (ending_ != Ending::none) return Refusal{Cause::halting};
-  const double s = path_.time(now_.tick).s;
+  if (motion_.path()->parts().empty()) return Refusal{Cause::single_axis};
+  if (motion_.ends()) return Refusal{Cause::halting};
+  const double s = motion_.path().time(now_.tick).s;
   if (!(s <= what.until)) return Refusal{Cause::too_late, s, what.until};
   const double most = what.movement->highest_rate();
-  const bool slower = most < path_->highest_rate() * (1 - profiles_detail::rounded_sum);
-  const bool keeps = path_.steady(now_.tick) && path_.time(now_.tick).rate <= most;
+  const bool slower = most < motion_.path()->highest_rate() * (1 - profiles_detail::rounded_sum);
+  const bool keeps =
+      motion_.path().steady(now_.tick) && motion_.path().time(now_.tick).rate <= most;
   if (slower && !keeps) return Refusal{Cause::rate_changing};
   return std::nullopt;
 }
@@ -44,8 +45,8 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Extend& what) {
     hand_back(movement);
     return no;
   }
-  hand_back(path_.path());
-  path_.take_over(*movement, now_.tick, what.shift);
+  hand_back(motion_.path().path());
+  motion_.path().take_over(*movement, now_.tick, what.shift);
   outputs_.continue_as(*movement, what.shift);
   return std::nullopt;
 }
@@ -53,11 +54,9 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Extend& what) {
 /// An axis at standstill follows its group from the tick in which the group moves.
 void MotionAxis::Impl::follow_group() {
   if (inputs_.peers != Peers::led || state_ != State::standstill || moving()) return;
-  base_ = Base::group;
   state_ = State::synchronized_motion;
-  begun_ = now_.tick;
   now_.reason = Cause::none;
-  joint_ = true;
+  motion_.begin_group(now_.tick);
 }
 
 Cause MotionAxis::Impl::advance_group(Setpoint& next) const {
@@ -67,7 +66,7 @@ Cause MotionAxis::Impl::advance_group(Setpoint& next) const {
 }
 
 std::span<const Jet> MotionAxis::Impl::places() const {
-  return !on_path() && armed_ ? armed_->parts() : parts();
+  return !on_path() && slot_.armed() ? slot_.armed()->parts() : parts();
 }
 
 }  // namespace jounce

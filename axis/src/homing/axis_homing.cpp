@@ -11,14 +11,14 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Home& what) {
   if (keeps_coordinate()) return Refusal{Cause::compensation_active};
   HomeOrder order;
   if (auto no = home_order_of(what, config_, order)) return no;
-  if (armed_.waiting()) return Refusal{Cause::in_motion};
+  if (slot_.armed().waiting()) return Refusal{Cause::in_motion};
   if (!has_sensors(order.method, inputs_.feedback.sensors)) return Refusal{Cause::no_sensor};
   state_ = State::homing;
   now_.reason = Cause::none;
   now_.homed = order.method.last == 0;
   if (now_.homed) return set_position(order.spec.offset);
   home_.begin(order, seen());
-  begun_ = bare_.tick = now_.tick;
+  motion_.begin_at(now_.tick);
   MoveDynamics dynamics{.acceleration = order.spec.acceleration,
                         .deceleration = order.spec.acceleration};
   fill(dynamics, config_);
@@ -27,8 +27,8 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Home& what) {
 }
 
 Homing::Seen MotionAxis::Impl::seen() const {
-  const bool at_rest = base_ == Base::move && own_.goal().kind == Goal::Kind::rest &&
-                       own_.player().is_over(bare_.tick);
+  const bool at_rest = motion_.is_move() && motion_.own().goal().kind == Goal::Kind::rest &&
+                       motion_.own().player().is_over(motion_.put_out_in());
   Sensors sensors = inputs_.feedback.sensors;
   sensors.positive.on = sensors.positive.on || inputs_.positive_switch;
   sensors.negative.on = sensors.negative.on || inputs_.negative_switch;
@@ -43,9 +43,9 @@ void MotionAxis::Impl::seek() {
   if (!next.velocity) return;
   const double velocity = *next.velocity;
   Goal goal{velocity == 0 ? Goal::Kind::rest : Goal::Kind::velocity, velocity,
-            own_.goal().dynamics};
+            motion_.own().goal().dynamics};
   if (velocity != 0) goal.dynamics.velocity = std::abs(velocity);
-  if (!adopt(goal, requested_rate())) fail(Cause::jump);
+  if (!adopt(goal, motion_.requested_rate(home_.running()))) fail(Cause::jump);
 }
 
 /// The axis stands beyond its home position, which gets its new coordinate.

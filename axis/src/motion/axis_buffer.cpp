@@ -30,15 +30,9 @@ void MotionAxis::Impl::forget_later() {
   if (const auto why = later_.forget()) now_.dropped = why;
 }
 
-MotionAxis::Impl::Rejection MotionAxis::Impl::buffer(const BufferedMove& move) {
-  if (base_ == Base::live && !own_.waiting().full()) return Refusal{Cause::synchronized};
-  return own_.buffer(move, expected_end(), last(), planned(), conditions());
-}
-
 MotionAxis::Impl::Rejection MotionAxis::Impl::take_back_next() {
-  const WaitingMoves waited = own_.waiting();
-  if (!own_.withdraw(planned(), conditions()))
-    return Refusal{Cause::no_such_move, own_.goal().value};
+  const WaitingMoves waited = motion_.own().waiting();
+  if (!motion_.withdraw(present())) return Refusal{Cause::no_such_move, motion_.own().goal().value};
   forget(waited);
   return std::nullopt;
 }
@@ -46,13 +40,13 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::take_back_next() {
 /// The first waiting move begins in the tick in which the previous motion has ended. If it cannot,
 /// the moves after it are dropped too: they would begin elsewhere.
 void MotionAxis::Impl::begin_next() {
-  const BufferedMove move = own_.take_next();
+  const BufferedMove move = motion_.own().take_next();
   Goal goal;
   auto no = goal_of(move, last(), move_rules(), goal);
   if (!no && !go(goal)) no = Refusal{Cause::no_such_move, goal.value, 0};
   if (!no) return;
   now_.dropped = no;
-  own_.take_all();
+  motion_.own().take_all();
 }
 
 /// Another motion has replaced them; reports the first of them.
@@ -61,7 +55,7 @@ void MotionAxis::Impl::forget(const WaitingMoves& moves) {
 }
 
 void MotionAxis::Impl::forget_next() {
-  forget(own_.take_all());
+  forget(motion_.own().take_all());
 }
 
 }  // namespace jounce

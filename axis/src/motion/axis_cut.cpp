@@ -8,13 +8,13 @@
 namespace jounce {
 
 MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Cut& what) {
-  LiveCuts* const cuts = base_ == Base::live ? live_->cuts() : nullptr;
+  LiveCuts* const cuts = motion_.cuts();
   if (cuts == nullptr) return Refusal{Cause::no_cut_plan};
-  return cuts->cut(what, live_.master_shift());
+  return cuts->cut(what, motion_.live().master_shift());
 }
 
 MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Park& /*it*/) {
-  LiveCuts* const cuts = base_ == Base::live ? live_->cuts() : nullptr;
+  LiveCuts* const cuts = motion_.cuts();
   if (cuts == nullptr) return Refusal{Cause::no_cut_plan};
   cuts->park();
   return std::nullopt;

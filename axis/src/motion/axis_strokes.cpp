@@ -8,16 +8,15 @@ namespace jounce {
 MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::MoveRepetitive& what) {
   const double start = now_.position;
   Goal there;
-  if (auto no = own_.first_stroke(what, last(), conditions(), there)) return no;
+  if (auto no = motion_.own().first_stroke(what, last(), motion_.conditions(present()), there))
+    return no;
   if (auto no = take_over(there)) return no;
-  own_.repeat(what, start);
+  motion_.own().repeat(what, start);
   return std::nullopt;
 }
 
 MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::ChangeVelocity& what) {
-  if (ending_ != Ending::none) return Refusal{Cause::halting};
-  if (base_ != Base::move) return Refusal{Cause::not_a_move};
-  return own_.change(what, bare_, conditions());
+  return motion_.change(what, present());
 }
 
 }  // namespace jounce

@@ -18,12 +18,12 @@ void MotionAxis::Impl::obey(const Command& command) {
   if (std::holds_alternative<command::None>(command.what)) return;
   now_.refused = take_up(command);
   const auto* const start = std::get_if<command::Start>(&command.what);
-  if (start != nullptr && now_.refused) groups_.break_armed(start->group, false, now_.tick);
+  if (start != nullptr && now_.refused) slot_.reject_start(start->group, now_.tick);
 }
 
 MotionAxis::Impl::Rejection MotionAxis::Impl::take_up(const Command& command) {
   // A new motion may interrupt the stop of a released jog.
-  const bool released = ending_ == Ending::release && !home_.running();
+  const bool released = motion_.ending() == Ending::release && !home_.running();
   const State state = released ? State::discrete_motion : state_;
   Cause no = against_role(inputs_.peers, command.kind());
   if (no == Cause::none) no = against_compensation(command.kind());
@@ -52,7 +52,7 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::power(bool on) {
   if (on && inputs_.feedback.fault) return Refusal{Cause::drive_fault};
   if (on && inputs_.peers == Peers::failed) return axis_refusal(Cause::axis_not_ready, inputs_);
   if (is_group() && !on && moving()) {
-    if (!path_.rests(now_.tick)) return Refusal{Cause::in_motion};
+    if (!motion_.path().rests(now_.tick)) return Refusal{Cause::in_motion};
   } else if (!on && moving() && state_ != State::error_stop) {
     fail(Cause::disabled_in_motion);
     return std::nullopt;
@@ -79,8 +79,7 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Reset& /*it*/) 
     if (auto no = against_reset(inputs_, moving())) return no;
   now_.fault = Cause::none;
   if (state_ != State::error_stop) return std::nullopt;
-  ending_ = Ending::none;
-  held_ = moving();
+  motion_.go_on_held();
   state_ = moving() ? playing_state() : State::standstill;
   return std::nullopt;
 }
@@ -97,7 +96,7 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::SetPosition& wh
 }
 
 MotionAxis::Impl::Rejection MotionAxis::Impl::set_position(double position) {
-  if (armed_.waiting()) return Refusal{Cause::in_motion};
+  if (slot_.armed().waiting()) return Refusal{Cause::in_motion};
   if (!std::isfinite(position)) return Refusal{Cause::no_value, position};
   if (!(std::abs(position) <= furthest(config_)))
     return Refusal{Cause::position_limit, position, furthest(config_)};
@@ -115,22 +114,22 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::end_motion(Ending ending, const Mo
   if (!home_.running()) dynamics = {.deceleration = asked.deceleration, .jerk = asked.jerk};
   const bool stops = ending != Ending::halt || home_.running();
   if (auto no = stops ? fill_stop(dynamics, config_) : fill(dynamics, config_)) return no;
-  if (base_ == Base::group) return std::nullopt;  // the machine stops its group
+  if (motion_.in_group()) return std::nullopt;  // the machine stops its group
   break_groups();
   forget_next();
   if (stops) forget_later();
-  const bool stopping = ending_ == Ending::stop || (stops && ending_ == ending);
+  const bool stopping = motion_.ending() == Ending::stop || (stops && motion_.ending() == ending);
   if (!moving() || stopping) return std::nullopt;
-  path_.forget_boundary();
-  ending_ = ending;
+  motion_.path().forget_boundary();
+  motion_.end_by(ending);
   // Only the first point of the path was output, at the position of the axis.
-  const bool unplayed = on_path() && path_.unplayed() && now_.velocity == 0 && !above_.running();
-  if (ending == Ending::group && unplayed) {
+  if (ending == Ending::group && motion_.unplayed(now_.velocity)) {
     rest();
     return std::nullopt;
   }
   state_ = stops ? State::stopping : State::discrete_motion;
-  if (on_path() && !above_.running() && path_.follow(request())) return std::nullopt;
+  if (on_path() && !motion_.above().running() && motion_.path().follow(motion_.request(present())))
+    return std::nullopt;
   if (adopt({Goal::Kind::rest, 0, dynamics}, 1))
     now_.reason = Cause::none;
   else
@@ -140,67 +139,56 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::end_motion(Ending ending, const Mo
 
 /// The motion ends early, and the armed movement with it.
 void MotionAxis::Impl::break_groups() {
-  if (active()) groups_.break_motion(group_, now_.tick);
+  if (motion_.movement()) slot_.break_motion(now_.tick);
   disarm();
 }
 
 /// Motions that begin together end together: by a stop, even if a fault ended the other one.
 void MotionAxis::Impl::stop_with_group() {
-  if (inputs_.peers == Peers::broken && armed_.waiting()) drop({.cause = Cause::group_stopped});
+  if (inputs_.peers == Peers::broken && slot_.armed().waiting())
+    drop({.cause = Cause::group_stopped});
   // This stop has the dynamics of the axis, so it is never rejected: the answer of the command of
   // this tick stays.
-  if (inputs_.group_broken && active() && ending_ == Ending::none) end_motion(Ending::group);
+  if (inputs_.group_broken && motion_.movement() && !motion_.ends()) end_motion(Ending::group);
 }
 
 MotionAxis::Impl::Rejection MotionAxis::Impl::hold(bool on) {
-  if (base_ == Base::live) return Refusal{Cause::not_on_path};
-  if (ending_ != Ending::none) return Refusal{Cause::halting};
+  if (motion_.is_live()) return Refusal{Cause::not_on_path};
+  if (motion_.ends()) return Refusal{Cause::halting};
   if (!on && on_path())
     if (auto no = against_peers()) return no;
-  const bool before = std::exchange(held_, on);
-  const auto no = replan();
-  if (no) held_ = before;
-  return no;
-}
-
-/// Applies a new rate: changes that of a path, or plans a move again.
-MotionAxis::Impl::Rejection MotionAxis::Impl::replan() {
-  const bool done = on_path() ? replan_path() : replan_move();
-  return done ? std::nullopt : Rejection(Refusal{Cause::no_such_move});
+  if (motion_.hold(on, present())) return std::nullopt;
+  return Refusal{Cause::no_such_move};
 }
 
 MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Override& what) {
   const double factor = what.factor;
   if (!(factor >= 0 && factor <= 2)) return Refusal{Cause::no_value, factor, 2};
   // The superimposed move was planned within the limits that the factor left.
-  const double most = std::max(1.0, factor_);
-  if (above_.running() && factor > most) return Refusal{Cause::in_motion, factor, most};
+  const double most = std::max(1.0, motion_.factor());
+  if (motion_.above().running() && factor > most) return Refusal{Cause::in_motion, factor, most};
   // In a fault, after a stop and while held, the factor sets nothing in motion.
-  if (on_path() && factor > 0 && !held_ && ending_ == Ending::none)
+  if (on_path() && factor > 0 && !motion_.held() && !motion_.ends())
     if (auto no = against_peers()) return no;
-  const double before = std::exchange(factor_, factor + 0.0);  // no -0
-  if (!moving() || ending_ != Ending::none || base_ == Base::live) return std::nullopt;
-  if (base_ == Base::group) return std::nullopt;
-  const auto no = replan();
-  if (no) factor_ = before;
-  return no;
+  if (motion_.set_factor(factor + 0.0, present())) return std::nullopt;  // no -0
+  return Refusal{Cause::no_such_move};
 }
 
 /// Agito StopRep: finishes the stroke; the next one does not begin.
 MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Finish& /*it*/) {
-  if (!on_path() && !own_.is_stroke()) return Refusal{Cause::not_on_path};
-  if (ending_ != Ending::none) return Refusal{Cause::halting};
-  if (own_.is_stroke()) {
-    own_.finish_strokes();
+  if (!on_path() && !motion_.own().is_stroke()) return Refusal{Cause::not_on_path};
+  if (motion_.ends()) return Refusal{Cause::halting};
+  if (motion_.own().is_stroke()) {
+    motion_.own().finish_strokes();
     return std::nullopt;
   }
-  if (!std::isinf(path_->known()) || path_->pass() <= 0) return std::nullopt;
-  const auto end = path_->end();
+  if (!std::isinf(motion_.path()->known()) || motion_.path()->pass() <= 0) return std::nullopt;
+  const auto end = motion_.path()->end();
   const double most = *config_.limits.acceleration * seconds(config_.period);
   if (!end) return Refusal{Cause::no_movement};
   if (std::abs(end->velocity) > most) return Refusal{Cause::end_velocity, end->velocity, most};
   disarm();
-  path_.finish_pass(now_.tick);
+  motion_.path().finish_pass(now_.tick);
   return std::nullopt;
 }
 

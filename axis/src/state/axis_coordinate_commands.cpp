@@ -5,11 +5,6 @@
 
 namespace jounce {
 
-/// True if the registration may correct the present motion (registered_master.hpp).
-bool MotionAxis::Impl::follows_master() const {
-  return base_ == Base::live && live_->cuts() == nullptr;
-}
-
 /// Rejects a switch of a compensation that the axis does not have, in every state: disabling the
 /// axis first would not help.
 Cause MotionAxis::Impl::against_compensation(CommandKind kind) const {

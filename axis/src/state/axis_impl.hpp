@@ -11,16 +11,10 @@
 #include "jounce/axis/axis.hpp"
 
 #include "axis/src/compensation/axis_coordinate.hpp"
-#include "axis/src/follow/live_player.hpp"
-#include "axis/src/group/group_state.hpp"
 #include "axis/src/homing/home_search.hpp"
-#include "axis/src/motion/armed_motion.hpp"
 #include "axis/src/motion/later_command.hpp"
-#include "axis/src/motion/move_goal.hpp"
-#include "axis/src/motion/own_move.hpp"
-#include "axis/src/motion/path_player.hpp"
-#include "axis/src/motion/setpoint_supervision.hpp"
-#include "axis/src/motion/superimposed_move.hpp"
+#include "axis/src/motion/played_motion.hpp"
+#include "axis/src/motion/start_slot.hpp"
 #include "axis/src/probe/registered_master.hpp"
 #include "axis/src/probe/touch_probe.hpp"
 #include "axis/src/state/axis_outputs.hpp"
@@ -44,11 +38,7 @@ class MotionAxis::Impl {
   /// Reason to reject a command; nullopt: accepted.
   using Rejection = std::optional<Refusal>;
 
-  /// The player of the motion, without the superimposed move. group: the group of the axis gives
-  /// the setpoints.
-  enum class Base : std::uint8_t { rest, path, live, move, group };
-  /// Reason for the present stop. table: the movement ended at a nonzero velocity.
-  enum class Ending : std::uint8_t { none, stop, release, group, halt, table, fault };
+  using Ending = PlayedMotion::Ending;
 
   // axis.cpp: one tick
   void take(const Inputs& inputs);
@@ -58,23 +48,18 @@ class MotionAxis::Impl {
   Cause advance(Setpoint& next);
   Cause advance_live(Setpoint& next);
   Cause advance_move(Setpoint& next);
-  [[nodiscard]] SupervisedMotion supervised() const;
-  [[nodiscard]] bool in_step() const;
-  [[nodiscard]] bool inside_as_a_whole() const;
   void give_out(const Setpoint& next);
   void operate_outputs();
   void report();
   void hand_back(const Movement* movement);
   void drop(const Refusal& why);
   [[nodiscard]] bool miss_event(Cause wrong, const Setpoint& next);
-  [[nodiscard]] bool moving() const { return base_ != Base::rest; }
-  [[nodiscard]] bool on_path() const { return base_ == Base::path; }
-  [[nodiscard]] Movement* active() const;
+  [[nodiscard]] bool moving() const { return motion_.moving(); }
+  [[nodiscard]] bool on_path() const { return motion_.on_path(); }
   [[nodiscard]] MotionState last() const;
   [[nodiscard]] Moment moment() const { return {0, dt(), inputs_.master, inputs_.second_master}; }
+  [[nodiscard]] MotionNow present() const;
   [[nodiscard]] double dt() const { return seconds((now_.skipped + 1) * config_.period); }
-  [[nodiscard]] double requested_rate() const;
-  [[nodiscard]] PathRequest request() const;
 
   // axis_commands.cpp: commands
   void obey(const Command& command);
@@ -123,7 +108,6 @@ class MotionAxis::Impl {
   void break_groups();
   void stop_with_group();
   Rejection hold(bool on);
-  Rejection replan();
 
   // axis_group.cpp: a group, and an axis of a group
   [[nodiscard]] Cause against_compensation(CommandKind kind) const;
@@ -134,7 +118,6 @@ class MotionAxis::Impl {
   [[nodiscard]] bool is_group() const { return is_of_group(inputs_.peers); }
 
   // axis_coordinate.cpp: coordinates of the axis and of its master, compensation, touch probes
-  [[nodiscard]] bool follows_master() const;
   Rejection set_compensation(bool on);
   void see_feedback();
   [[nodiscard]] bool keeps_coordinate() const;
@@ -143,7 +126,6 @@ class MotionAxis::Impl {
   // axis_phasing.cpp: the phase shift of a coupling
   Rejection act(const command::PhasingAbsolute& what);
   Rejection act(const command::PhasingRelative& what);
-  Rejection shift_phase(double target, const MoveDynamics& dynamics);
 
   // axis_strokes.cpp: repetitive moves, and changes of the velocity of a move
   Rejection act(const command::MoveRepetitive& what);
@@ -153,24 +135,19 @@ class MotionAxis::Impl {
   void seek();
   void find_home();
   [[nodiscard]] Homing::Seen seen() const;
-  [[nodiscard]] const AxisConfig& rules() const { return home_.rules(); }
 
   // axis_starts.cpp: armed movements and their starts
   void disarm();
   void begin_due();
   [[nodiscard]] std::optional<Moment> begins_at();
-  [[nodiscard]] double followed_ratio() const;
   [[nodiscard]] Rejection against_active_switch() const;
   void begin_pending(const Moment& at);
   void enter(const ArmedMotion& begun);
   [[nodiscard]] std::optional<MotionState> state_at(const Moment& at, Cause& no);
-  [[nodiscard]] std::optional<MotionState> expected_end() const;
-  [[nodiscard]] bool stands() const;
   [[nodiscard]] State playing_state() const;
 
   // axis_path.cpp: motion along a path, and the change to another path
   Cause advance_path(Setpoint& next);
-  bool replan_path();
   Rejection start_at_end();
   Rejection start_at_pass_end();
   [[nodiscard]] Rejection against_swap() const;
@@ -182,16 +159,10 @@ class MotionAxis::Impl {
   Rejection move_or_buffer(const BufferedMove& what);
   Rejection move(const BufferedMove& what);
   Rejection take_over(const Goal& goal);
-  Rejection superimpose(double distance, const MoveDynamics& dynamics);
   Rejection decouple();
   [[nodiscard]] MoveRules move_rules() const;
-  [[nodiscard]] MoveConditions conditions() const;
-  [[nodiscard]] const TimedState* planned() const { return base_ == Base::move ? &bare_ : nullptr; }
-  [[nodiscard]] Peaks beneath() const;
   bool go(const Goal& goal);
   bool adopt(const Goal& goal, double factor);
-  bool plan_from(const TimedState& from, const Goal& goal, double factor, double ahead = 0);
-  bool replan_move();
   void brake(double deceleration);
   void leave(Goal::Kind kind);
 
@@ -199,8 +170,6 @@ class MotionAxis::Impl {
   Rejection postpone(const Command& command);
   void obey_due();
   void forget_later();
-  Rejection buffer(const BufferedMove& move);
-  [[nodiscard]] bool passes() const { return base_ == Base::move && own_.passes(); }
   Rejection take_back_next();
   void begin_next();
   void forget(const WaitingMoves& moves);
@@ -223,24 +192,11 @@ class MotionAxis::Impl {
   AxisCoordinate coordinate_;
   Supervision windows_;
 
-  ArmedMotion armed_;
-  std::int64_t group_ = 0;  // group of the motion
-  GroupState groups_;
+  StartSlot slot_;
+  PlayedMotion motion_;
+  LaterCommand later_;  // the command that waits for its tick
 
-  Base base_ = Base::rest;
-  PathPlayer path_;
-  LivePlayer live_;
-  OwnMove own_;
-  SuperimposedMove above_;  // superimposed on the motion
-  LaterCommand later_;      // the command that waits for its tick
-
-  Ending ending_ = Ending::none;
-  double factor_ = 1;  // override
-  bool held_ = false;
-  std::int64_t begun_ = 0;  // tick at which the motion began
-  TimedState bare_;         // the last output setpoint, without the superimposed move
-  bool joint_ = false;      // true if one motion continues another in this tick
-  HomeSearch home_;         // runs until the axis is at rest
+  HomeSearch home_;  // runs until the axis is at rest
   TouchProbes probes_;
   AxisOutputs outputs_;
   Tick now_;
