@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 #include <cmath>
 
-#include "jounce/profiles/detail/tolerances.hpp"
-
 #include "axis/src/group/group_role.hpp"
+#include "axis/src/motion/motion_rules.hpp"
 #include "axis/src/state/axis_impl.hpp"
 
 // A group of the machine (AxisGroup in machine.hpp), and an axis of a group. The machine connects
@@ -18,26 +16,11 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::against_peers() const {
   return against_axes(inputs_);
 }
 
-/// The reason why a group cannot take a longer path, or none.
-MotionAxis::Impl::Rejection MotionAxis::Impl::against_extension(const command::Extend& what) const {
-  if (!on_path()) return Refusal{Cause::no_movement};
-  if (motion_.path()->parts().empty()) return Refusal{Cause::single_axis};
-  if (motion_.ends()) return Refusal{Cause::halting};
-  const double s = motion_.path().time(now_.tick).s;
-  if (!(s <= what.until)) return Refusal{Cause::too_late, s, what.until};
-  const double most = what.movement->highest_rate();
-  const bool slower = most < motion_.path()->highest_rate() * (1 - profiles_detail::rounded_sum);
-  const bool keeps =
-      motion_.path().steady(now_.tick) && motion_.path().time(now_.tick).rate <= most;
-  if (slower && !keeps) return Refusal{Cause::rate_changing};
-  return std::nullopt;
-}
-
 /// The setpoints of both paths are equal here, so the group goes on without a step.
-MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Extend& what) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::extend(const command::Extend& what) {
   Movement* const movement = what.movement;
   if (!movement) return Refusal{Cause::no_value};
-  auto no = against_extension(what);
+  auto no = against_extension(what, motion_, now_.tick);
   if (const Cause cause = movement->begin({what.position, 0, 0}, moment());
       cause != Cause::none && !no)
     no = Refusal{cause};

@@ -7,7 +7,7 @@
 
 namespace jounce {
 
-MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Home& what) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::home(const command::Home& what) {
   if (keeps_coordinate()) return Refusal{Cause::compensation_active};
   HomeOrder order;
   if (auto no = home_order_of(what, config_, order)) return no;
@@ -16,7 +16,7 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Home& what) {
   state_ = State::homing;
   now_.reason = Cause::none;
   now_.homed = order.method.last == 0;
-  if (now_.homed) return set_position(order.spec.offset);
+  if (now_.homed) return rename_to(order.spec.offset);
   home_.begin(order, seen());
   motion_.begin_at(now_.tick);
   MoveDynamics dynamics{.acceleration = order.spec.acceleration,
@@ -54,7 +54,7 @@ void MotionAxis::Impl::find_home() {
   const double position = home_.position_at_home();
   if (!std::isfinite(home)) return fail(Cause::home_not_found);  // the drive had no position there
   rest();
-  if (const auto no = set_position(now_.position + (position - home))) now_.refused = no;
+  if (const auto no = rename_to(now_.position + (position - home))) now_.refused = no;
   now_.homed = true;
 }
 

@@ -26,14 +26,10 @@ void MotionAxis::Impl::obey_due() {
   now_.refused.reset();
 }
 
-void MotionAxis::Impl::forget_later() {
-  if (const auto why = later_.forget()) now_.dropped = why;
-}
-
 MotionAxis::Impl::Rejection MotionAxis::Impl::take_back_next() {
   const WaitingMoves waited = motion_.own().waiting();
   if (!motion_.withdraw(present())) return Refusal{Cause::no_such_move, motion_.own().goal().value};
-  forget(waited);
+  note(replaced(waited));
   return std::nullopt;
 }
 
@@ -49,13 +45,9 @@ void MotionAxis::Impl::begin_next() {
   motion_.own().take_all();
 }
 
-/// Another motion has replaced them; reports the first of them.
-void MotionAxis::Impl::forget(const WaitingMoves& moves) {
-  if (const auto why = replaced(moves)) now_.dropped = why;
-}
-
-void MotionAxis::Impl::forget_next() {
-  forget(motion_.own().take_all());
+/// Reports a waiting command or move that was dropped, if there is one.
+void MotionAxis::Impl::note(const std::optional<Refusal>& why) {
+  if (why) now_.dropped = why;
 }
 
 }  // namespace jounce

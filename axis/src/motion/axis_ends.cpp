@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cmath>
-
-#include "jounce/profiles/detail/tolerances.hpp"
-
-#include "axis/src/motion/setpoint_check.hpp"
+#include "axis/src/motion/motion_rules.hpp"
 #include "axis/src/state/axis_impl.hpp"
 
 // The ends of a motion: at its target, by a stop, or in a fault.
@@ -12,50 +8,18 @@ namespace jounce {
 
 void MotionAxis::Impl::conclude() {
   if (state_ == State::homing) return;  // homing sets its state itself when it ends
-  if (motion_.is_move()) {
-    if (!motion_.own().player().is_over(now_.tick)) return;
-    if (motion_.ends()) return rest();
-    if (motion_.requested_rate(home_.running()) == 0 || motion_.own().repeats()) return;
-    const Goal& goal = motion_.own().goal();
-    if (goal.kind == Goal::Kind::position || goal.value == 0) return rest();
-    if (!motion_.own().waiting().empty()) begin_next();
-    return;
+  switch (sequel_of(motion_, present(), now_.fault, inputs_.peers)) {
+    case Sequel::goes_on:
+      return;
+    case Sequel::rests:
+      return rest();
+    case Sequel::next:
+      return begin_next();
+    case Sequel::keeps_velocity:
+      return leave(Goal::Kind::velocity);
+    case Sequel::brakes:
+      return leave(Goal::Kind::rest);
   }
-  if (motion_.in_group()) {
-    if (inputs_.peers == Peers::landing) rest();
-    return;
-  }
-  if (motion_.is_live()) {
-    if (motion_.live()->progress() != Progress::done) return;
-    const double still = profiles_detail::rounded_input * *config_.limits.velocity;  // rounding
-    if (!(std::abs(now_.velocity) > still)) return rest();
-    return leave(motion_.live()->keeps_velocity() ? Goal::Kind::velocity : Goal::Kind::rest);
-  }
-  const bool passed = motion_.path().finishes() && motion_.path().reaches_boundary(now_.tick);
-  if (motion_.path()->progress() == Progress::done || passed) return rest();
-  const bool resumable =
-      motion_.ending() == Ending::fault && (now_.fault == Cause::underrun || is_group());
-  if (motion_.ends() && motion_.path().rests(now_.tick) && !resumable) rest();
-}
-
-Cause MotionAxis::Impl::reason_to_rest() const {
-  switch (motion_.ending()) {
-    case Ending::none:
-      return motion_.path().finishes() ? Cause::pass_ended : Cause::none;
-    case Ending::stop:
-      return Cause::stopped;
-    case Ending::release:
-      return Cause::released;
-    case Ending::group:
-      return Cause::group_stopped;
-    case Ending::halt:
-      return Cause::halted;
-    case Ending::table:
-      return Cause::end_velocity;
-    case Ending::fault:
-      break;
-  }
-  return now_.fault;
 }
 
 /// Ends the motion, for any reason.
@@ -64,7 +28,7 @@ void MotionAxis::Impl::rest() {
   const bool stopped = ending >= Ending::stop && ending <= Ending::halt;
   if (stopped) ++now_.stopped;
   if (!motion_.ends() || motion_.ending() == Ending::table) ++now_.finished;
-  now_.reason = reason_to_rest();
+  now_.reason = reason_to_rest(motion_, now_.fault);
   state_ = motion_.ending() == Ending::fault ? State::error_stop : State::standstill;
   const bool goes_on = motion_.above().running() && !motion_.ends();
   const double more = goes_on ? motion_.above().remaining(now_.tick) : 0;
@@ -108,8 +72,8 @@ void MotionAxis::Impl::fail(Cause cause, double value) {
   if (first && moving()) now_.reason = cause;
   now_.profile.clear();
   break_groups();
-  forget_next();
-  forget_later();
+  note(replaced(motion_.own().take_all()));
+  note(later_.forget());
   Reaction reaction = reaction_to(cause);
   if (cause == Cause::aborted && config_.abort_acceleration == 0) reaction = Reaction::freeze;
   // The axes of a group stop on its path in any fault, unless the setpoint itself was at fault.

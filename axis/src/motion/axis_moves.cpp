@@ -22,7 +22,7 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::move(const BufferedMove& what) {
 }
 
 /// Counts from the target of the present move, if it has one.
-MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::MoveAdditive& what) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::move_on(const command::MoveAdditive& what) {
   const double start = motion_.additive_start(now_.position);
   Goal goal;
   if (auto no = goal_of(what, start, last(), move_rules(), goal)) return no;
@@ -30,7 +30,7 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::MoveAdditive& w
 }
 
 /// Without a motion beneath it, it is a MoveRelative.
-MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::MoveSuperimposed& what) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::superimpose(const command::MoveSuperimposed& what) {
   const bool under_way = moving() && !motion_.ends();
   if (!under_way || state_ == State::continuous_motion)
     return move(command::MoveRelative{what.distance, what.dynamics});
@@ -45,12 +45,22 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::take_over(const Goal& goal) {
     motion_.own().keep(waited);
     return Refusal{Cause::no_such_move, goal.value};
   }
-  forget(waited);
+  note(replaced(waited));
   return std::nullopt;
 }
 
 MoveRules MotionAxis::Impl::move_rules() const {
   return {config_, inputs_.positive_switch, inputs_.negative_switch};
+}
+
+MotionAxis::Impl::Rejection MotionAxis::Impl::repeat(const command::MoveRepetitive& what) {
+  const double start = now_.position;
+  Goal there;
+  if (auto no = motion_.own().first_stroke(what, last(), motion_.conditions(present()), there))
+    return no;
+  if (auto no = take_over(there)) return no;
+  motion_.own().repeat(what, start);
+  return std::nullopt;
 }
 
 /// The slave keeps its velocity (PMC600 manual 6.1, 6.2); MC_Stop or another move follows.

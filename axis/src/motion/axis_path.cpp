@@ -3,6 +3,7 @@
 
 #include "jounce/profiles/detail/tolerances.hpp"
 
+#include "axis/src/motion/motion_rules.hpp"
 #include "axis/src/state/axis_impl.hpp"
 
 // The motion along a path (path_player.hpp), and the changes to the next path without a stop: at the
@@ -39,34 +40,13 @@ Cause MotionAxis::Impl::advance_path(Setpoint& next) {
 
 // ---- the next path -----------------------------------------------------------------------------
 
-/// A swap at the end of the path, or of its present pass.
+/// A swap at the end of the path, or another coupling at the end of a pass of the cam.
 MotionAxis::Impl::Rejection MotionAxis::Impl::start_at_end() {
-  if (motion_.is_live()) return start_at_pass_end();
-  const auto end = motion_.expected_end(now_.position);
-  if (!on_path() || !(end || motion_.path().open_ended())) return Refusal{Cause::not_on_path};
-  if (end)
-    if (auto no = slot_.armed()->admit(config_, *end)) return no;
-  if (auto no = against_swap()) return no;
+  if (auto no = against_start_at_end(slot_.armed(), motion_, present(), config_)) return no;
   slot_.accept(StartAt::end_of_table, 0, 0, now_.tick);
+  if (motion_.is_live()) return std::nullopt;
   motion_.path().follow(motion_.request(present()));
   motion_.path().swap_at_end(now_.tick);
-  return std::nullopt;
-}
-
-/// Another coupling, at the end of a pass of the cam that follows the live master.
-MotionAxis::Impl::Rejection MotionAxis::Impl::start_at_pass_end() {
-  if (!motion_.live()->passes()) return Refusal{Cause::no_movement};
-  if (!slot_.armed().is_live() || motion_.above().running()) return Refusal{Cause::in_motion};
-  slot_.accept(StartAt::end_of_table, 0, 0, now_.tick);
-  return std::nullopt;
-}
-
-/// Returns the reason why the armed movement cannot take over from the present path, or none. From
-/// its accepted start to the swap, the rate is limited to the range that both paths permit. The
-/// present path slows down to that range within its own limits.
-MotionAxis::Impl::Rejection MotionAxis::Impl::against_swap() const {
-  if (motion_.above().running() || slot_.armed().is_live()) return Refusal{Cause::in_motion};
-  if (!motion_.path().steady(now_.tick)) return Refusal{Cause::rate_changing};
   return std::nullopt;
 }
 

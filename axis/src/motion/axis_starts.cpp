@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "axis/src/motion/motion_rules.hpp"
 #include "axis/src/motion/start_check.hpp"
 #include "axis/src/state/axis_impl.hpp"
 
@@ -9,24 +10,14 @@
 
 namespace jounce {
 
-MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Arm& what) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::arm(const command::Arm& what) {
   Movement* const movement = what.movement;
   if (!movement) return Refusal{Cause::no_value};
   if (is_group() && movement->parts().empty()) {
     hand_back(movement);
     return Refusal{Cause::single_axis};
   }
-  const auto from = motion_.expected_end(now_.position);
-  Rejection no;
-  if (from || motion_.path().open_ended())
-    no = movement->admit(config_, from.value_or(last()));
-  else if (movement->course() == Course::path)
-    no = Refusal{Cause::in_motion};
-  if (no && motion_.stands(now_.tick, now_.velocity)) no = movement->admit(config_, last());
-  // A swap at a master position, or at the end of rows, checks its start state at the swap.
-  if (no && on_path() && (motion_.path()->synchronized() || motion_.path().open_ended()) &&
-      (no->cause == Cause::start_position || no->cause == Cause::start_velocity))
-    no.reset();
+  const auto no = against_arming(*movement, motion_, present(), config_);
   if (no) {
     hand_back(movement);
     return no;
@@ -36,34 +27,20 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Arm& what) {
   return std::nullopt;
 }
 
-MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Disarm& /*it*/) {
-  if (!slot_.armed().waiting()) disarm();
-  forget_later();
-  return take_back_next();
-}
-
 void MotionAxis::Impl::disarm() {
   if (const Movement* const left = slot_.empty(now_.tick)) hand_back(left);
   if (motion_.path().swaps()) motion_.path().forget_boundary();
 }
 
-MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Start& what) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::start(const command::Start& what) {
   if (!slot_.armed()) return Refusal{Cause::not_armed};
   if (is_group() && on_path())
     return Refusal{Cause::in_motion};  // it holds: a new path is elsewhere
   if (auto no = against_peers()) return no;
   if (what.when == StartAt::end_of_table && moving()) return start_at_end();
-  if (what.when == StartAt::end_of_table && slot_.armed().is_live())
-    return Refusal{Cause::no_movement};
-  if (what.when == StartAt::tick && what.tick >= 0 && what.tick < now_.tick)
-    return Refusal{Cause::too_late, static_cast<double>(what.tick), static_cast<double>(now_.tick)};
-  if (what.when == StartAt::master_position && !std::isfinite(what.position))
-    return Refusal{Cause::no_value, what.position};
+  if (auto no = against_start(what, slot_.armed(), motion_, present())) return no;
   const bool swaps = what.when == StartAt::master_position && on_path();
   const bool rests = !moving() || (motion_.stands(now_.tick, now_.velocity) && !swaps);
-  if (!slot_.armed().is_live() && !rests && !swaps) return Refusal{Cause::in_motion};
-  if (swaps)
-    if (auto no = against_swap()) return no;
   // A coupling that begins later is checked at its beginning: its master will be elsewhere.
   const bool later = what.when == StartAt::master_position || what.tick > now_.tick;
   if (rests && !(later && slot_.armed().is_live())) {
@@ -80,7 +57,7 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Start& what) {
   return std::nullopt;
 }
 
-MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Couple& what) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::couple(const command::Couple& what) {
   Movement* const movement = what.movement;
   if (!movement) return Refusal{Cause::no_value};
   if (movement->course() != Course::live) {
@@ -157,7 +134,7 @@ bool MotionAxis::Impl::miss_event(Cause wrong, const Setpoint& next) {
   const auto why = against_first(wrong, state_of(next), now_.velocity, config_);
   if (!why) return false;
   now_.profile.clear();
-  forget_next();
+  note(replaced(motion_.own().take_all()));
   freeze();
   state_ = State::standstill;
   now_.dropped = why;
@@ -193,7 +170,7 @@ void MotionAxis::Impl::begin_pending(const Moment& at) {
   const ArmedMotion begun = slot_.take();
   const bool was_registered = master_.registers(motion_.follows_master());
   drop_movement();
-  forget_next();
+  note(replaced(motion_.own().take_all()));
   if (live) {
     motion_.begin_live(begun, present());
     if (motion_.follows_master() && !was_registered) master_.begin(inputs_.master[0]);

@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "jounce/axis/detail/live_cuts.hpp"
+
 #include "axis/src/follow/coupled_peaks.hpp"
 
 namespace jounce {
@@ -195,6 +197,17 @@ std::optional<Refusal> PlayedMotion::shift_phase(double target, const MoveDynami
                         .acceleration = engaging.acceleration + above.acceleration,
                         .jerk = engaging.jerk + above.jerk}};
   return live_.phase().begin(now.tick, target, dynamics, base, config_);
+}
+
+std::optional<Refusal> PlayedMotion::cut(const command::Cut& what) noexcept {
+  if (cuts() == nullptr) return Refusal{Cause::no_cut_plan};
+  return cuts()->cut(what, live_.master_shift());
+}
+
+std::optional<Refusal> PlayedMotion::park() noexcept {
+  if (cuts() == nullptr) return Refusal{Cause::no_cut_plan};
+  cuts()->park();
+  return std::nullopt;
 }
 
 // ---- the setpoint --------------------------------------------------------------------------------

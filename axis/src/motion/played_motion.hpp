@@ -173,6 +173,10 @@ class PlayedMotion {
   std::optional<Refusal> shift_phase(double target, const MoveDynamics& dynamics,
                                      const MotionNow& now) noexcept;
 
+  /// Cuts, or parks the cutter. Returns the reason to reject the command.
+  std::optional<Refusal> cut(const command::Cut& what) noexcept;
+  std::optional<Refusal> park() noexcept;
+
   // ---- the setpoint
 
   /// The setpoint of a coupling, and its events. `profile`: the events of the previous tick.

@@ -7,12 +7,22 @@
 #include "jounce/command/detail/command_table.hpp"
 
 #include "axis/src/group/group_role.hpp"
+#include "axis/src/motion/motion_rules.hpp"
 #include "axis/src/state/axis_impl.hpp"
 
 // The commands of an axis, one a tick: the dispatch of all, and those for power, coordinates,
 // speed, and the end of a motion.
 
 namespace jounce {
+namespace {
+
+/// A visitor with a function for each kind of command.
+template <class... F>
+struct Cases : F... {
+  using F::operator()...;
+};
+
+}  // namespace
 
 void MotionAxis::Impl::obey(const Command& command) {
   if (std::holds_alternative<command::None>(command.what)) return;
@@ -34,7 +44,61 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::take_up(const Command& command) {
     return Refusal{no};
   }
   if (command.at >= 0 && command.at != now_.tick) return postpone(command);
-  return std::visit([&](const auto& what) { return act(what); }, command.what);
+  return execute(command.what);
+}
+
+MotionAxis::Impl::Rejection MotionAxis::Impl::execute(const AxisCommand& command) {
+  namespace c = jounce::command;
+  const auto done = [] { return Rejection(); };
+  return std::visit(
+      Cases{
+          [&](const c::None&) { return done(); },
+          [&](const c::Enable&) { return power(true); },
+          [&](const c::Disable&) { return power(false); },
+          [&](const c::Arm& what) { return arm(what); },
+          [&](const c::Disarm&) {
+            if (!slot_.armed().waiting()) disarm();
+            note(later_.forget());
+            return take_back_next();
+          },
+          [&](const c::Start& what) { return start(what); },
+          [&](const c::Stop& what) { return end_motion(Ending::stop, what.dynamics); },
+          [&](const c::Abort&) { return fail(Cause::aborted), done(); },
+          [&](const c::Reset&) { return reset(); },
+          [&](const c::SetPosition& what) { return set_position(what); },
+          [&](const c::Home& what) { return home(what); },
+          [&](const c::Hold&) { return hold(true); },
+          [&](const c::Resume&) { return hold(false); },
+          [&](const c::Override& what) { return override_by(what.factor); },
+          [&](const c::Finish&) { return finish(); },
+          [&](const c::MoveAbsolute& what) { return move_or_buffer(what); },
+          [&](const c::MoveRelative& what) { return move_or_buffer(what); },
+          [&](const c::MoveAdditive& what) { return move_on(what); },
+          [&](const c::MoveSuperimposed& what) { return superimpose(what); },
+          [&](const c::MoveVelocity& what) { return move_or_buffer(what); },
+          [&](const c::MoveRepetitive& what) { return repeat(what); },
+          [&](const c::ChangeVelocity& what) { return motion_.change(what, present()); },
+          [&](const c::Halt& what) { return end_motion(Ending::halt, what.dynamics); },
+          [&](const c::Couple& what) { return couple(what); },
+          [&](const c::GearOut&) { return decouple(); },
+          [&](const c::CamOut&) { return decouple(); },
+          [&](const c::PhasingAbsolute& what) {
+            return motion_.shift_phase(what.shift, what.dynamics, present());
+          },
+          [&](const c::PhasingRelative& what) {
+            const double from = motion_.live().phase().at(now_.tick)[0];
+            return motion_.shift_phase(from + what.shift, what.dynamics, present());
+          },
+          [&](const c::TouchProbe& what) { return probes_.start(what, inputs_.feedback, config_); },
+          [&](const c::AbortTrigger& what) { return probes_.abort(what.input); },
+          [&](const c::EnableCompensation&) { return set_compensation(true); },
+          [&](const c::DisableCompensation&) { return set_compensation(false); },
+          [&](const c::Cut& what) { return motion_.cut(what); },
+          [&](const c::Park&) { return motion_.park(); },
+          [&](const c::Release&) { return end_motion(Ending::release); },
+          [&](const c::Extend& what) { return extend(what); },
+      },
+      command);
 }
 
 /// True if the command moves to a position and the axis is not yet homed.
@@ -64,15 +128,15 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::power(bool on) {
     now_.reason = Cause::stopped;
   }
   break_groups();
-  forget_next();
-  forget_later();
+  note(replaced(motion_.own().take_all()));
+  note(later_.forget());
   cut_off();
   state_ = State::disabled;
   return std::nullopt;
 }
 
 /// A path that an underrun stopped is still active and at rest: it waits for a resume.
-MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Reset& /*it*/) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::reset() {
   if (state_ == State::error_stop && moving() && !(on_path() && now_.velocity == 0))
     return Refusal{Cause::in_motion};
   if (state_ == State::error_stop)
@@ -84,7 +148,7 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Reset& /*it*/) 
   return std::nullopt;
 }
 
-MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::SetPosition& what) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::set_position(const command::SetPosition& what) {
   if (keeps_coordinate()) return Refusal{Cause::compensation_active};
   const double position = what.position + (what.relative ? now_.position : 0);
   const Limits& limits = config_.limits;
@@ -92,10 +156,10 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::SetPosition& wh
     return Refusal{Cause::position_limit, position, *limits.position_min};
   if (limits.position_max && position > *limits.position_max)
     return Refusal{Cause::position_limit, position, *limits.position_max};
-  return set_position(position);
+  return rename_to(position);
 }
 
-MotionAxis::Impl::Rejection MotionAxis::Impl::set_position(double position) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::rename_to(double position) {
   if (slot_.armed().waiting()) return Refusal{Cause::in_motion};
   if (!std::isfinite(position)) return Refusal{Cause::no_value, position};
   if (!(std::abs(position) <= furthest(config_)))
@@ -116,8 +180,8 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::end_motion(Ending ending, const Mo
   if (auto no = stops ? fill_stop(dynamics, config_) : fill(dynamics, config_)) return no;
   if (motion_.in_group()) return std::nullopt;  // the machine stops its group
   break_groups();
-  forget_next();
-  if (stops) forget_later();
+  note(replaced(motion_.own().take_all()));
+  if (stops) note(later_.forget());
   const bool stopping = motion_.ending() == Ending::stop || (stops && motion_.ending() == ending);
   if (!moving() || stopping) return std::nullopt;
   motion_.path().forget_boundary();
@@ -161,8 +225,7 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::hold(bool on) {
   return Refusal{Cause::no_such_move};
 }
 
-MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Override& what) {
-  const double factor = what.factor;
+MotionAxis::Impl::Rejection MotionAxis::Impl::override_by(double factor) {
   if (!(factor >= 0 && factor <= 2)) return Refusal{Cause::no_value, factor, 2};
   // The superimposed move was planned within the limits that the factor left.
   const double most = std::max(1.0, motion_.factor());
@@ -175,20 +238,14 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Override& what)
 }
 
 /// Agito StopRep: finishes the stroke; the next one does not begin.
-MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Finish& /*it*/) {
-  if (!on_path() && !motion_.own().is_stroke()) return Refusal{Cause::not_on_path};
-  if (motion_.ends()) return Refusal{Cause::halting};
+MotionAxis::Impl::Rejection MotionAxis::Impl::finish() {
+  if (auto no = against_finish(motion_, config_)) return no;
   if (motion_.own().is_stroke()) {
     motion_.own().finish_strokes();
-    return std::nullopt;
+  } else if (motion_.path().repeats()) {
+    disarm();
+    motion_.path().finish_pass(now_.tick);
   }
-  if (!std::isinf(motion_.path()->known()) || motion_.path()->pass() <= 0) return std::nullopt;
-  const auto end = motion_.path()->end();
-  const double most = *config_.limits.acceleration * seconds(config_.period);
-  if (!end) return Refusal{Cause::no_movement};
-  if (std::abs(end->velocity) > most) return Refusal{Cause::end_velocity, end->velocity, most};
-  disarm();
-  motion_.path().finish_pass(now_.tick);
   return std::nullopt;
 }
 

@@ -65,45 +65,14 @@ class MotionAxis::Impl {
   void obey(const Command& command);
   Rejection take_up(const Command& command);
   [[nodiscard]] bool needs_home(const Command& command) const;
-  Rejection act(const command::None& /*none*/) { return std::nullopt; }
-  Rejection act(const command::Enable& /*on*/) { return power(true); }
-  Rejection act(const command::Disable& /*off*/) { return power(false); }
-  Rejection act(const command::Arm& what);
-  Rejection act(const command::Disarm& what);
-  Rejection act(const command::Start& what);
-  Rejection act(const command::Stop& what) { return end_motion(Ending::stop, what.dynamics); }
-  Rejection act(const command::Abort& /*now*/) {
-    fail(Cause::aborted);
-    return std::nullopt;
-  }
-  Rejection act(const command::Reset& what);
-  Rejection act(const command::SetPosition& what);
-  Rejection act(const command::Home& what);
-  Rejection act(const command::Hold& /*on*/) { return hold(true); }
-  Rejection act(const command::Resume& /*off*/) { return hold(false); }
-  Rejection act(const command::Override& what);
-  Rejection act(const command::Finish& what);
-  Rejection act(const command::MoveAbsolute& what) { return move_or_buffer(what); }
-  Rejection act(const command::MoveRelative& what) { return move_or_buffer(what); }
-  Rejection act(const command::MoveAdditive& what);
-  Rejection act(const command::MoveSuperimposed& what);
-  Rejection act(const command::MoveVelocity& what) { return move_or_buffer(what); }
-  Rejection act(const command::Halt& what) { return end_motion(Ending::halt, what.dynamics); }
-  Rejection act(const command::Couple& what);
-  Rejection act(const command::GearOut& /*out*/) { return decouple(); }
-  Rejection act(const command::CamOut& /*out*/) { return decouple(); }
-  Rejection act(const command::TouchProbe& what) {
-    return probes_.start(what, inputs_.feedback, config_);
-  }
-  Rejection act(const command::AbortTrigger& what) { return probes_.abort(what.input); }
-  Rejection act(const command::EnableCompensation& /*on*/) { return set_compensation(true); }
-  Rejection act(const command::DisableCompensation& /*off*/) { return set_compensation(false); }
-  Rejection act(const command::Cut& what);
-  Rejection act(const command::Park& it);
-  Rejection act(const command::Release& /*it*/) { return end_motion(Ending::release); }
-  Rejection act(const command::Extend& what);
+  Rejection execute(const AxisCommand& command);
+  Rejection reset();
+  Rejection set_position(const command::SetPosition& what);
+  Rejection override_by(double factor);
+  Rejection finish();
+  Rejection extend(const command::Extend& what);
   Rejection power(bool on);
-  Rejection set_position(double position);
+  Rejection rename_to(double position);
   Rejection end_motion(Ending ending, const MoveDynamics& asked = {});
   void break_groups();
   void stop_with_group();
@@ -112,7 +81,6 @@ class MotionAxis::Impl {
   // axis_group.cpp: a group, and an axis of a group
   [[nodiscard]] Cause against_compensation(CommandKind kind) const;
   [[nodiscard]] Rejection against_peers() const;
-  [[nodiscard]] Rejection against_extension(const command::Extend& what) const;
   void follow_group();
   Cause advance_group(Setpoint& next) const;
   [[nodiscard]] bool is_group() const { return is_of_group(inputs_.peers); }
@@ -123,20 +91,16 @@ class MotionAxis::Impl {
   [[nodiscard]] bool keeps_coordinate() const;
   void probe();
 
-  // axis_phasing.cpp: the phase shift of a coupling
-  Rejection act(const command::PhasingAbsolute& what);
-  Rejection act(const command::PhasingRelative& what);
-
-  // axis_strokes.cpp: repetitive moves, and changes of the velocity of a move
-  Rejection act(const command::MoveRepetitive& what);
-  Rejection act(const command::ChangeVelocity& what);
-
   // axis_homing.cpp: the search for the home position
+  Rejection home(const command::Home& what);
   void seek();
   void find_home();
   [[nodiscard]] Homing::Seen seen() const;
 
   // axis_starts.cpp: armed movements and their starts
+  Rejection arm(const command::Arm& what);
+  Rejection start(const command::Start& what);
+  Rejection couple(const command::Couple& what);
   void disarm();
   void begin_due();
   [[nodiscard]] std::optional<Moment> begins_at();
@@ -149,8 +113,6 @@ class MotionAxis::Impl {
   // axis_path.cpp: motion along a path, and the change to another path
   Cause advance_path(Setpoint& next);
   Rejection start_at_end();
-  Rejection start_at_pass_end();
-  [[nodiscard]] Rejection against_swap() const;
   Cause swap_at_boundary();
   void swap_at_master(double s);
   void swap(double boundary, MotionState end);
@@ -158,6 +120,9 @@ class MotionAxis::Impl {
   // axis_moves.cpp: moves that the axis plans
   Rejection move_or_buffer(const BufferedMove& what);
   Rejection move(const BufferedMove& what);
+  Rejection move_on(const command::MoveAdditive& what);
+  Rejection superimpose(const command::MoveSuperimposed& what);
+  Rejection repeat(const command::MoveRepetitive& what);
   Rejection take_over(const Goal& goal);
   Rejection decouple();
   [[nodiscard]] MoveRules move_rules() const;
@@ -169,16 +134,13 @@ class MotionAxis::Impl {
   // axis_buffer.cpp: commands that wait for a tick, and moves that wait for the present motion
   Rejection postpone(const Command& command);
   void obey_due();
-  void forget_later();
   Rejection take_back_next();
   void begin_next();
-  void forget(const WaitingMoves& moves);
-  void forget_next();
+  void note(const std::optional<Refusal>& why);
 
   // axis_ends.cpp: the end of a motion
   void conclude();
   void rest();
-  [[nodiscard]] Cause reason_to_rest() const;
   void freeze();
   void cut_off();
   void fail(Cause cause, double value = std::numeric_limits<double>::quiet_NaN());
