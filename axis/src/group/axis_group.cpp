@@ -10,6 +10,7 @@
 // enabled or moves.
 
 namespace jounce {
+
 /// The reason why a group at rest cannot begin or continue its path, or none.
 MotionAxis::Impl::Rejection MotionAxis::Impl::against_peers() const {
   if (!is_group() || (on_path() && !motion_.path().rests(now_.tick))) return std::nullopt;

@@ -41,7 +41,7 @@ class HomeSearch {
   /// Result of one tick of the search.
   struct Step {
     Cause fault = Cause::none;            ///< the fault that ends the search
-    double exceeded = 0;                  ///< with a fault: Homing::exceeded()
+    double exceeded = 0;                  ///< Homing::exceeded() at the fault
     bool done = false;                    ///< the axis stands beyond its home position
     std::optional<double> velocity = {};  ///< a new velocity, u/s; 0: to rest
   };

@@ -44,7 +44,7 @@ std::optional<Refusal> against_finish(const PlayedMotion& motion,
 std::optional<Refusal> against_extension(const command::Extend& what, const PlayedMotion& motion,
                                          std::int64_t tick) noexcept;
 
-/// What follows a setpoint that was output.
+/// The event after a setpoint that was output.
 enum class Sequel : std::uint8_t {
   goes_on,         ///< the motion goes on
   rests,           ///< the motion has ended: the axis rests
@@ -52,7 +52,7 @@ enum class Sequel : std::uint8_t {
   keeps_velocity,  ///< a coupling has ended, and the axis keeps its velocity
   brakes,          ///< a coupling has ended, and the axis brakes
 };
-/// Returns what follows the last setpoint. `fault`: the latched fault. `peers`: Inputs::peers.
+/// Returns the event after the last setpoint. `fault`: the latched fault. `peers`: Inputs::peers.
 Sequel sequel_of(const PlayedMotion& motion, const MotionNow& now, Cause fault,
                  Peers peers) noexcept;
 

@@ -152,7 +152,7 @@ class PlayedMotion {
 
   /// The conditions under which a move is planned.
   [[nodiscard]] MoveConditions conditions(const MotionNow& now) const noexcept;
-  /// Plans the move to this goal from the last setpoint, whatever is played. Returns false and changes
+  /// Plans the move to this goal from the last setpoint of any motion. Returns false and changes
   /// nothing if no such move exists.
   bool plan(const Goal& goal, double factor, const MotionNow& now) noexcept;
   /// Adds a move that waits for the end of the motion, or returns the reason to reject it.

@@ -9,8 +9,7 @@
 
 // One tick of an axis, from its inputs to its outputs. Read it from step() down. Other files:
 // axis_commands.cpp, axis_moves.cpp, axis_buffer.cpp and axis_starts.cpp (commands), axis_path.cpp
-// (a path and the next one), axis_ends.cpp (the end of a motion). Each kind of motion is played by
-// a class: PathPlayer, LivePlayer, MovePlayer, SuperimposedMove.
+// (a path and the next one), axis_ends.cpp (the end of a motion).
 
 namespace jounce {
 

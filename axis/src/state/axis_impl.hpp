@@ -22,7 +22,9 @@
 
 namespace jounce {
 
-/// The parts of an axis, and its functions by the source that defines them. See MotionAxis.
+/// The state machine of an axis: its states, its faults, and the order of its parts in a tick. Each part
+/// owns its own state (docs/decisions/0183-parts-of-the-axis.md). The functions are listed by the source
+/// that defines them. See MotionAxis.
 class MotionAxis::Impl {
  public:
   Impl(const AxisConfig& config, const AxisSwitches& switches, const AxisCompare& compare);
@@ -37,7 +39,6 @@ class MotionAxis::Impl {
  private:
   /// Reason to reject a command; nullopt: accepted.
   using Rejection = std::optional<Refusal>;
-
   using Ending = PlayedMotion::Ending;
 
   // axis.cpp: one tick
@@ -85,7 +86,7 @@ class MotionAxis::Impl {
   Cause advance_group(Setpoint& next) const;
   [[nodiscard]] bool is_group() const { return is_of_group(inputs_.peers); }
 
-  // axis_coordinate.cpp: coordinates of the axis and of its master, compensation, touch probes
+  // axis_coordinate_commands.cpp: coordinates of the axis and of its master, compensation, touch probes
   Rejection set_compensation(bool on);
   void see_feedback();
   [[nodiscard]] bool keeps_coordinate() const;
@@ -161,7 +162,7 @@ class MotionAxis::Impl {
   HomeSearch home_;  // runs until the axis is at rest
   TouchProbes probes_;
   AxisOutputs outputs_;
-  Tick now_;
+  Tick now_;  // the outputs, kept from tick to tick
 };
 
 }  // namespace jounce

@@ -75,8 +75,8 @@ class AxisOutputs {
   /// The positions of this tick, and the state of the axis.
   struct Places {
     OutputPlaces::Place commanded = {};  ///< setpoint
-    OutputPlaces::Place actual = {};     ///< of the drive
-    OutputPlaces::Place master = {};     ///< of the movement that was entered
+    OutputPlaces::Place actual = {};     ///< actual position, from the drive
+    OutputPlaces::Place master = {};     ///< master of the movement that was entered
     bool is_group = false;               ///< a group: compares the length along its path
     bool on_path = false;                ///< the group plays its path
     bool disabled = false;               ///< a disabled group switches the outputs of its path off
