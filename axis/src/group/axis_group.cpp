@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 #include <cmath>
 
-#include "jounce/profiles/detail/tolerances.hpp"
-
+#include "axis/src/group/group_role.hpp"
+#include "axis/src/motion/motion_rules.hpp"
 #include "axis/src/state/axis_impl.hpp"
 
 // A group of the machine (AxisGroup in machine.hpp), and an axis of a group. The machine connects
@@ -11,86 +10,18 @@
 // enabled or moves.
 
 namespace jounce {
-namespace {
-
-/// True for the commands that an axis accepts while its group is enabled: none sets it in motion.
-bool suits_member(CommandKind kind) {
-  switch (kind) {
-    case CommandKind::none:
-    case CommandKind::enable:
-    case CommandKind::disable:
-    case CommandKind::disarm:
-    case CommandKind::stop:
-    case CommandKind::abort:
-    case CommandKind::reset:
-    case CommandKind::release:
-    case CommandKind::touch_probe:
-    case CommandKind::abort_trigger:
-      return true;
-    default:
-      return false;
-  }
-}
-
-/// True for the commands of a group.
-bool suits_group(CommandKind kind) {
-  switch (kind) {
-    case CommandKind::arm:
-    case CommandKind::start:
-    case CommandKind::hold:
-    case CommandKind::resume:
-    case CommandKind::halt:
-    case CommandKind::override_:
-    case CommandKind::extend:
-      return true;
-    default:
-      return suits_member(kind);
-  }
-}
-
-}  // namespace
-
-/// The reason why the axis of an enabled group, or a group, rejects a command of this kind; or none.
-Cause MotionAxis::Impl::against_group(CommandKind kind) const {
-  if (is_of_member(inputs_.peers) && !suits_member(kind)) return Cause::in_group;
-  if (is_group() && !suits_group(kind)) return Cause::single_axis;
-  return Cause::none;
-}
 
 /// The reason why a group at rest cannot begin or continue its path, or none.
-MotionAxis::Impl::Rejection MotionAxis::Impl::against_axes() const {
-  if (!is_group() || (on_path() && !path_.rests(now_.tick))) return std::nullopt;
-  if (inputs_.peers == Peers::failed) return axis_refusal(Cause::axis_not_ready);
-  if (inputs_.peers == Peers::away) return axis_refusal(Cause::axis_away);
-  return std::nullopt;
-}
-
-/// The reason why a group stays in its fault, or none. It keeps its path, so that it can continue.
-MotionAxis::Impl::Rejection MotionAxis::Impl::against_reset() const {
-  if (inputs_.peers == Peers::failed) return axis_refusal(Cause::axis_not_ready);
-  if (inputs_.peers == Peers::away && moving()) return axis_refusal(Cause::axis_away);
-  return std::nullopt;
-}
-
-/// The reason why a group cannot take a longer path, or none.
-MotionAxis::Impl::Rejection MotionAxis::Impl::against_extension(const command::Extend& what) const {
-  if (!on_path()) return Refusal{Cause::no_movement};
-  if (path_->parts().empty()) return Refusal{Cause::single_axis};
-  if (ending_ != Ending::none) return Refusal{Cause::halting};
-  const double s = path_.time(now_.tick).s;
-  if (!(s <= what.until)) return Refusal{Cause::too_late, s, what.until};
-  const double most = what.movement->highest_rate();
-  const bool slower = most < path_->highest_rate() * (1 - profiles_detail::rounded_sum);
-  const bool keeps = path_.steady(now_.tick) && path_.time(now_.tick).rate <= most;
-  if (slower && !keeps) return Refusal{Cause::rate_changing};
-  return std::nullopt;
+MotionAxis::Impl::Rejection MotionAxis::Impl::against_peers() const {
+  if (!is_group() || (on_path() && !motion_.path().rests(now_.tick))) return std::nullopt;
+  return against_axes(inputs_);
 }
 
 /// The setpoints of both paths are equal here, so the group goes on without a step.
-MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Extend& what) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::extend(const command::Extend& what) {
   Movement* const movement = what.movement;
   if (!movement) return Refusal{Cause::no_value};
-  auto no = against_extension(what);
+  auto no = against_extension(what, motion_, now_.tick);
   if (const Cause cause = movement->begin({what.position, 0, 0}, moment());
       cause != Cause::none && !no)
     no = Refusal{cause};
@@ -98,30 +29,18 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Extend& what) {
     hand_back(movement);
     return no;
   }
-  hand_back(path_.path());
-  path_.take_over(*movement, now_.tick, what.shift);
-  path_outputs_.continue_as(*movement, what.shift);
-  if (compares_way_) path_way_.continue_as(*movement, what.shift);
+  hand_back(motion_.path().path());
+  motion_.path().take_over(*movement, now_.tick, what.shift);
+  outputs_.continue_as(*movement, what.shift);
   return std::nullopt;
-}
-
-/// The refusal names the axis of Inputs::master (Peers::away, Peers::failed), whose second number is
-/// its place, or the bits of all axes that are not ready.
-Refusal MotionAxis::Impl::axis_refusal(Cause cause) const {
-  const auto [position, place, number, reason] = inputs_.master;
-  if (cause == Cause::axis_not_ready)
-    return {.cause = cause, .value = reason, .limit = place, .where = number};
-  return {.cause = cause, .value = position, .limit = place, .where = number};
 }
 
 /// An axis at standstill follows its group from the tick in which the group moves.
 void MotionAxis::Impl::follow_group() {
   if (inputs_.peers != Peers::led || state_ != State::standstill || moving()) return;
-  base_ = Base::group;
   state_ = State::synchronized_motion;
-  begun_ = now_.tick;
   now_.reason = Cause::none;
-  joint_ = true;
+  motion_.begin_group(now_.tick);
 }
 
 Cause MotionAxis::Impl::advance_group(Setpoint& next) const {
@@ -130,22 +49,8 @@ Cause MotionAxis::Impl::advance_group(Setpoint& next) const {
   return led && std::isfinite(inputs_.master[0]) ? Cause::none : Cause::master_lost;
 }
 
-/// Keeps the setpoints of the axes of a group at the rate of this tick.
-void MotionAxis::Impl::keep_parts() {
-  if (!on_path()) return;
-  const std::span<const Jet> parts = path_->parts();
-  if (parts.empty()) return;
-  const PathTime time = path_.time(now_.tick);
-  part_count_ = parts.size();
-  for (std::size_t k = 0; k < parts.size(); ++k) parts_[k] = at_rate({0, 0, parts[k]}, time).slave;
-}
-
-std::span<const Jet> MotionAxis::Impl::parts() const {
-  return std::span(parts_).first(part_count_);
-}
-
 std::span<const Jet> MotionAxis::Impl::places() const {
-  return !on_path() && armed_ ? armed_->parts() : parts();
+  return !on_path() && slot_.armed() ? slot_.armed()->parts() : parts();
 }
 
 }  // namespace jounce

@@ -3,77 +3,32 @@
 
 #include "axis/src/state/axis_impl.hpp"
 
-// Homing of an axis. The class Homing computes the velocity, and the axis plans the motion
-// to that velocity as for any other move. The position range does not apply: it refers to the home
-// position, which is not yet known.
+// Homing of an axis (home_search.hpp): the axis plans the motions of the search as moves.
 
 namespace jounce {
-namespace {
 
-/// Returns the homing of the axis with the changes of the command.
-HomingSpec chosen(const command::Home& what, HomingSpec spec) {
-  const auto take = [](auto& value, double given) {
-    if (!std::isnan(given)) value = given;
-  };
-  if (what.method != 0) spec.method = what.method;
-  take(spec.offset, what.offset);
-  take(spec.search_velocity, what.search_velocity);
-  take(spec.index_velocity, what.index_velocity);
-  take(spec.acceleration, what.acceleration);
-  take(spec.timeout, what.timeout);
-  take(spec.distance, what.distance);
-  return spec;
-}
-
-std::optional<Refusal> misses(const HomingSpec& spec, const AxisConfig& config) {
-  for (const double velocity : {spec.search_velocity, spec.index_velocity}) {
-    MoveDynamics dynamics{.velocity = velocity, .acceleration = spec.acceleration};
-    if (const auto no = fill(dynamics, config)) return no;
-  }
-  if (!(spec.timeout > 0)) return Refusal{Cause::not_positive, spec.timeout, 0, 0};
-  if (spec.distance && !(*spec.distance > 0))
-    return Refusal{Cause::not_positive, *spec.distance, 0, 0};
-  return std::nullopt;
-}
-
-}  // namespace
-
-std::optional<Refusal> misplaced_home(const HomingSpec& spec, const Limits& limits) {
-  const bool at_negative = spec.method == 1 || spec.method == 17;
-  const bool at_positive = spec.method == 2 || spec.method == 18;
-  const bool below = limits.position_min && spec.offset < *limits.position_min;
-  const bool above = limits.position_max && spec.offset > *limits.position_max;
-  if (!(below && !at_negative) && !(above && !at_positive)) return std::nullopt;
-  return Refusal{Cause::position_limit, spec.offset,
-                 below ? *limits.position_min : *limits.position_max};
-}
-
-MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Home& what) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::home(const command::Home& what) {
   if (keeps_coordinate()) return Refusal{Cause::compensation_active};
-  const HomingSpec spec = chosen(what, config_.homing);
-  const auto method = homing_method(spec.method);
-  if (!method) return Refusal{Cause::no_such_method, static_cast<double>(spec.method)};
-  if (auto no = misses(spec, config_)) return no;
-  if (!(std::abs(spec.offset) <= furthest(config_)))
-    return Refusal{Cause::position_limit, spec.offset, furthest(config_)};
-  if (const auto no = misplaced_home(spec, config_.limits)) return no;
-  if (armed_.waiting()) return Refusal{Cause::in_motion};
-  if (!has_sensors(*method, inputs_.feedback.sensors)) return Refusal{Cause::no_sensor};
+  HomeOrder order;
+  if (auto no = home_order_of(what, config_, order)) return no;
+  if (slot_.armed().waiting()) return Refusal{Cause::in_motion};
+  if (!has_sensors(order.method, inputs_.feedback.sensors)) return Refusal{Cause::no_sensor};
   state_ = State::homing;
   now_.reason = Cause::none;
-  now_.homed = method->last == 0;
-  if (now_.homed) return set_position(spec.offset);
-  homing_.emplace(*method, spec, seen());
-  begun_ = bare_.tick = now_.tick;
-  MoveDynamics dynamics{.acceleration = spec.acceleration, .deceleration = spec.acceleration};
+  now_.homed = order.method.last == 0;
+  if (now_.homed) return rename_to(order.spec.offset);
+  home_.begin(order, seen());
+  motion_.begin_at(now_.tick);
+  MoveDynamics dynamics{.acceleration = order.spec.acceleration,
+                        .deceleration = order.spec.acceleration};
   fill(dynamics, config_);
   if (!adopt({Goal::Kind::rest, 0, dynamics}, 1)) fail(Cause::jump);
   return std::nullopt;
 }
 
 Homing::Seen MotionAxis::Impl::seen() const {
-  const bool at_rest =
-      base_ == Base::move && move_.goal().kind == Goal::Kind::rest && move_.is_over(bare_.tick);
+  const bool at_rest = motion_.is_move() && motion_.own().goal().kind == Goal::Kind::rest &&
+                       motion_.own().player().is_over(motion_.put_out_in());
   Sensors sensors = inputs_.feedback.sensors;
   sensors.positive.on = sensors.positive.on || inputs_.positive_switch;
   sensors.negative.on = sensors.negative.on || inputs_.negative_switch;
@@ -82,25 +37,24 @@ Homing::Seen MotionAxis::Impl::seen() const {
 
 /// One tick of the search.
 void MotionAxis::Impl::seek() {
-  const double before = homing_->velocity();
-  homing_->step(seen());
-  if (homing_->cause() != Cause::none) return fail(homing_->cause(), homing_->exceeded());
-  if (homing_->done()) return find_home();
-  const double velocity = homing_->velocity();
-  if (velocity == before) return;
+  const HomeSearch::Step next = home_.step(seen());
+  if (next.fault != Cause::none) return fail(next.fault, next.exceeded);
+  if (next.done) return find_home();
+  if (!next.velocity) return;
+  const double velocity = *next.velocity;
   Goal goal{velocity == 0 ? Goal::Kind::rest : Goal::Kind::velocity, velocity,
-            move_.goal().dynamics};
+            motion_.own().goal().dynamics};
   if (velocity != 0) goal.dynamics.velocity = std::abs(velocity);
-  if (!adopt(goal, requested_rate())) fail(Cause::jump);
+  if (!adopt(goal, motion_.requested_rate(home_.running()))) fail(Cause::jump);
 }
 
 /// The axis stands beyond its home position, which gets its new coordinate.
 void MotionAxis::Impl::find_home() {
-  const double home = homing_->home() + now_.offset;
-  const double position = homing_->offset();
+  const double home = home_.home() + coordinate_.offset();
+  const double position = home_.position_at_home();
   if (!std::isfinite(home)) return fail(Cause::home_not_found);  // the drive had no position there
   rest();
-  if (const auto no = set_position(now_.position + (position - home))) now_.refused = no;
+  if (const auto no = rename_to(now_.position + (position - home))) now_.refused = no;
   now_.homed = true;
 }
 

@@ -11,112 +11,43 @@
 
 namespace jounce {
 
-/// One command with its own tick can wait. The axis checks its conditions in that tick.
 MotionAxis::Impl::Rejection MotionAxis::Impl::postpone(const Command& command) {
-  const auto at = static_cast<double>(command.at);
-  if (command.at < now_.tick) return Refusal{Cause::too_late, at, static_cast<double>(now_.tick)};
-  if (later_) return Refusal{Cause::buffer_full, at, static_cast<double>(later_->at)};
-  if (const Movement* const movement = movement_of(command.what)) {
-    hand_back(movement);
-    return Refusal{Cause::no_value};
-  }
-  later_ = command;
-  return std::nullopt;
+  auto no = later_.postpone(command, now_.tick);
+  if (no && no->cause == Cause::no_value) hand_back(movement_of(command.what));
+  return no;
 }
 
-/// Executes it in its tick, or in the next one that is stepped, before the command of that tick.
+/// Executes the command that waits in its tick, before the command of that tick.
 void MotionAxis::Impl::obey_due() {
-  if (!later_ || later_->at > now_.tick) return;
-  Command command = *later_;
-  later_.reset();
-  command.at = -1;
-  obey(command);
+  const auto command = later_.take_due(now_.tick);
+  if (!command) return;
+  obey(*command);
   if (now_.refused) now_.dropped = now_.refused;  // no sender waits for its answer
   now_.refused.reset();
 }
 
-void MotionAxis::Impl::forget_later() {
-  if (later_) now_.dropped = Refusal{Cause::replaced, static_cast<double>(later_->at), 0};
-  later_.reset();
-}
-
-/// Checks the move against the end of the previous one, if that is available, and again when it
-/// begins.
-MotionAxis::Impl::Rejection MotionAxis::Impl::buffer(const BufferedMove& move) {
-  constexpr auto most = static_cast<double>(WaitingMoves::most);
-  if (next_.full()) return Refusal{Cause::buffer_full, most, most};
-  if (base_ == Base::live) return Refusal{Cause::synchronized};
-  const MotionState from = end_of(next_, expected_end(), move_rules()).value_or(last());
-  Goal goal;
-  if (auto no = goal_of(move, from, move_rules(), goal)) return no;
-  next_.push(move);
-  const bool follows = next_.size() == 1;  // follows the present move, which may pass its target
-  if (!follows || base_ != Base::move || !(requested_rate() > 0)) return std::nullopt;
-  const auto no = replan();
-  if (no) next_.clear();
-  return no;
-}
-
-/// The velocity at which a move to this goal passes it on to the next goal. With a superimposed
-/// move, the move ends at rest: the next target does not include the superimposed distance.
-double MotionAxis::Impl::through(const MotionState& from, const Goal& goal, double factor) const {
-  if (next_.empty() || repeats() || above_.shifts() || goal.kind != Goal::Kind::position) return 0;
-  Goal further;
-  if (goal_of(next_.front(), {goal.value, 0, 0}, move_rules(), further)) return 0;
-  return passing_velocity(from, goal, further, buffer_of(next_.front()), factor, config_);
-}
-
-bool MotionAxis::Impl::passes() const {
-  return !next_.empty() && base_ == Base::move && move_.passes();
-}
-
-/// The target was passed since the previous tick: the plan continues from there at that very
-/// instant. Returns the cause if it cannot: in the direction of motion, only a limit switch.
-Cause MotionAxis::Impl::pass_target() {
-  const MotionState there = move_.plan().end();
-  Goal goal;
-  if (goal_of(next_.front(), {move_.goal().value, 0, 0}, move_rules(), goal))
-    return there.velocity > 0 ? Cause::positive_switch : Cause::negative_switch;
-  next_.pop();
-  if (!plan_from({there, now_.tick}, goal, factor_, move_.beyond(now_.tick))) return Cause::jump;
-  ++now_.finished;
-  state_ = goal.kind == Goal::Kind::velocity ? State::continuous_motion : State::discrete_motion;
-  return Cause::none;
-}
-
-/// The present move then ends at its target. If it is too late for that, the move continues
-/// unchanged.
 MotionAxis::Impl::Rejection MotionAxis::Impl::take_back_next() {
-  const WaitingMoves waited = std::exchange(next_, {});
-  const bool blends = base_ == Base::move && move_.passes();
-  if (!waited.empty() && blends && !plan_from(bare_, move_.goal(), requested_rate())) {
-    next_ = waited;
-    return Refusal{Cause::no_such_move, move_.goal().value};
-  }
-  forget(waited);
+  const WaitingMoves waited = motion_.own().waiting();
+  if (!motion_.withdraw(present())) return Refusal{Cause::no_such_move, motion_.own().goal().value};
+  note(replaced(waited));
   return std::nullopt;
 }
 
 /// The first waiting move begins in the tick in which the previous motion has ended. If it cannot,
 /// the moves after it are dropped too: they would begin elsewhere.
 void MotionAxis::Impl::begin_next() {
-  const BufferedMove move = next_.front();
-  next_.pop();
+  const BufferedMove move = motion_.own().take_next();
   Goal goal;
   auto no = goal_of(move, last(), move_rules(), goal);
   if (!no && !go(goal)) no = Refusal{Cause::no_such_move, goal.value, 0};
   if (!no) return;
   now_.dropped = no;
-  next_.clear();
+  motion_.own().take_all();
 }
 
-/// Another motion has replaced them; reports the first of them.
-void MotionAxis::Impl::forget(const WaitingMoves& moves) {
-  if (!moves.empty()) now_.dropped = Refusal{Cause::replaced, value_of(moves.front()), 0};
-}
-
-void MotionAxis::Impl::forget_next() {
-  forget(std::exchange(next_, {}));
+/// Reports a waiting command or move that was dropped, if there is one.
+void MotionAxis::Impl::note(const std::optional<Refusal>& why) {
+  if (why) now_.dropped = why;
 }
 
 }  // namespace jounce

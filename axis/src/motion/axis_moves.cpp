@@ -3,7 +3,6 @@
 #include <cmath>
 #include <utility>
 
-#include "axis/src/follow/coupled_peaks.hpp"
 #include "axis/src/motion/setpoint_check.hpp"
 #include "axis/src/state/axis_impl.hpp"
 
@@ -12,7 +11,7 @@
 namespace jounce {
 
 MotionAxis::Impl::Rejection MotionAxis::Impl::move_or_buffer(const BufferedMove& what) {
-  if (buffer_of(what) != BufferMode::aborting && moving()) return buffer(what);
+  if (buffer_of(what) != BufferMode::aborting && moving()) return motion_.buffer(what, present());
   return move(what);
 }
 
@@ -23,31 +22,30 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::move(const BufferedMove& what) {
 }
 
 /// Counts from the target of the present move, if it has one.
-MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::MoveAdditive& what) {
-  const bool aimed = base_ == Base::move && move_.goal().kind != Goal::Kind::velocity;
-  const double start = aimed ? move_.goal().value + above_.finished() : now_.position;
+MotionAxis::Impl::Rejection MotionAxis::Impl::move_on(const command::MoveAdditive& what) {
+  const double start = motion_.additive_start(now_.position);
   Goal goal;
   if (auto no = goal_of(what, start, last(), move_rules(), goal)) return no;
   return take_over(goal);
 }
 
 /// Without a motion beneath it, it is a MoveRelative.
-MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::MoveSuperimposed& what) {
-  const bool under_way = moving() && ending_ == Ending::none;
+MotionAxis::Impl::Rejection MotionAxis::Impl::superimpose(const command::MoveSuperimposed& what) {
+  const bool under_way = moving() && !motion_.ends();
   if (!under_way || state_ == State::continuous_motion)
     return move(command::MoveRelative{what.distance, what.dynamics});
   if (!std::isfinite(what.distance)) return Refusal{Cause::no_value, what.distance};
-  return superimpose(what.distance, what.dynamics);
+  return motion_.superimpose(what.distance, what.dynamics, present());
 }
 
 /// The move replaces the present motion and the waiting moves.
 MotionAxis::Impl::Rejection MotionAxis::Impl::take_over(const Goal& goal) {
-  const WaitingMoves waited = std::exchange(next_, {});
+  const WaitingMoves waited = motion_.own().take_all();
   if (!go(goal)) {
-    next_ = waited;
+    motion_.own().keep(waited);
     return Refusal{Cause::no_such_move, goal.value};
   }
-  forget(waited);
+  note(replaced(waited));
   return std::nullopt;
 }
 
@@ -55,38 +53,21 @@ MoveRules MotionAxis::Impl::move_rules() const {
   return {config_, inputs_.positive_switch, inputs_.negative_switch};
 }
 
-/// The greatest magnitudes of the motion below a superimposed move. Behind a live master, these are
-/// the magnitudes that the axis needs anywhere on its cam, for the present motion of the master.
-Peaks MotionAxis::Impl::beneath() const {
-  if (on_path()) return path_.peaks_at_rate();
-  if (base_ == Base::move) return move_.peaks_up_to(factor_);
-  const Peaks ramp = live_->peaks();
-  const Peaks phase = live_.phase().peaks(now_.tick);
-  const auto& [p, v, a] = bare_.state;
-  const Jet& x = inputs_.master;
-  const Peaks cam =
-      coupled_peaks(live_->slopes(), {std::abs(x[1]), std::abs(x[2]), std::abs(x[3])});
-  return {std::max(std::abs(v), cam.velocity) + phase.velocity,
-          std::max(std::abs(a), cam.acceleration + ramp.acceleration) + phase.acceleration,
-          cam.jerk + ramp.jerk + phase.jerk};
-}
-
-/// Begins a move on top of the present motion, or returns the reason to reject it.
-MotionAxis::Impl::Rejection MotionAxis::Impl::superimpose(double distance,
-                                                          const MoveDynamics& dynamics) {
-  if (on_path() && !path_.steady(now_.tick)) return Refusal{.cause = Cause::rate_changing};
-  if (path_.swaps() || passes()) return Refusal{.cause = Cause::in_motion};
-  if (base_ == Base::live && live_->cuts() != nullptr) return Refusal{.cause = Cause::in_cut_plan};
-  const auto end = expected_end();
-  return above_.begin(now_.tick, distance, dynamics, beneath(),
-                      end ? std::optional(end->position) : std::nullopt);
+MotionAxis::Impl::Rejection MotionAxis::Impl::repeat(const command::MoveRepetitive& what) {
+  const double start = now_.position;
+  Goal there;
+  if (auto no = motion_.own().first_stroke(what, last(), motion_.conditions(present()), there))
+    return no;
+  if (auto no = take_over(there)) return no;
+  motion_.own().repeat(what, start);
+  return std::nullopt;
 }
 
 /// The slave keeps its velocity (PMC600 manual 6.1, 6.2); MC_Stop or another move follows.
 MotionAxis::Impl::Rejection MotionAxis::Impl::decouple() {
-  if (!active()) return Refusal{Cause::not_synchronized};
+  if (!motion_.movement()) return Refusal{Cause::not_synchronized};
   leave(Goal::Kind::velocity);
-  if (base_ != Base::move) return Refusal{Cause::no_such_move};
+  if (!motion_.is_move()) return Refusal{Cause::no_such_move};
   return std::nullopt;
 }
 
@@ -95,45 +76,20 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::decouple() {
 /// A move replaces any present motion, and continues from its last setpoint.
 bool MotionAxis::Impl::go(const Goal& goal) {
   const bool was_moving = moving();
-  if (!adopt(goal, factor_)) return false;
-  held_ = false;
-  if (!was_moving) begun_ = bare_.tick = now_.tick;  // more commands may follow in this tick
-  ending_ = Ending::none;
+  if (!adopt(goal, motion_.factor())) return false;
+  motion_.let_go();
+  if (!was_moving) motion_.begin_at(now_.tick);  // more commands may follow in this tick
+  motion_.end_by(Ending::none);
   now_.reason = was_moving ? Cause::replaced : Cause::none;
   state_ = goal.kind == Goal::Kind::velocity ? State::continuous_motion : State::discrete_motion;
   return true;
 }
 
 bool MotionAxis::Impl::adopt(const Goal& goal, double factor) {
-  if (!plan_from({last(), moving() ? bare_.tick : now_.tick}, goal, factor)) return false;
-  if (path_.swaps()) disarm();
+  if (!motion_.plan(goal, factor, present())) return false;
+  if (motion_.path().swaps()) disarm();
   drop_movement();
-  repetition_.reset();
-  change_.reset();
-  above_.clear();
-  bare_.state = last();
-  base_ = Base::move;
-  return true;
-}
-
-bool MotionAxis::Impl::plan_from(const TimedState& from, const Goal& goal, double factor,
-                                 double ahead) {
-  Goal aim = goal;
-  aim.through = through(from.state, goal, factor);
-  // A homing waits by its own acceleration, any other move by that of the axis.
-  if (homing_ && !(factor > 0)) return move_.pause(from, aim, rules());
-  return move_.begin(from, aim, factor, rules(), ahead);
-}
-
-/// Plans the move for another rate. A move that comes to rest absorbs the superimposed move.
-bool MotionAxis::Impl::replan_move() {
-  const double rate = requested_rate();
-  if (rate > 0 || !above_.shifts()) return plan_from(bare_, move_.goal(), rate);
-  Goal both = move_.goal();
-  both.value += above_.distance();
-  if (!plan_from({last(), bare_.tick}, both, rate)) return false;
-  bare_.state = last();
-  above_.clear();
+  motion_.begin_move(last());
   return true;
 }
 
@@ -142,8 +98,8 @@ void MotionAxis::Impl::brake(double deceleration) {
   const double jerk = config_.limits.jerk ? config_.stop_jerk : Bounds::none;
   for (const double a : {deceleration, std::max(deceleration, config_.stop_acceleration)}) {
     if (!adopt({Goal::Kind::rest, 0, {*config_.limits.velocity, a, a, jerk}}, 1)) return cut_off();
-    ending_ = Ending::fault;
-    if (stays_inside(move_.plan(), rules())) return;  // otherwise harder
+    motion_.end_by(Ending::fault);
+    if (stays_inside(motion_.own().player().plan(), home_.rules())) return;  // otherwise harder
   }
 }
 
@@ -156,7 +112,7 @@ void MotionAxis::Impl::leave(Goal::Kind kind) {
   const double velocity = rests ? 0 : std::clamp(now_.velocity, -most, most);
   if (!adopt({kind, velocity, dynamics}, 1)) return fail(Cause::jump);
   state_ = rests ? State::discrete_motion : State::continuous_motion;
-  ending_ = rests ? Ending::table : Ending::none;
+  motion_.end_by(rests ? Ending::table : Ending::none);
 }
 
 }  // namespace jounce

@@ -1,116 +1,63 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
-#include "jounce/cam/coupling/passing.hpp"
-#include "jounce/profiles/detail/tolerances.hpp"
-
-#include "axis/src/motion/setpoint_check.hpp"
+#include "axis/src/motion/motion_rules.hpp"
+#include "axis/src/motion/start_check.hpp"
 #include "axis/src/state/axis_impl.hpp"
 
 // The slots of an axis: it arms a movement, accepts its start, and begins it when it is due.
 
 namespace jounce {
 
-MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Arm& what) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::arm(const command::Arm& what) {
   Movement* const movement = what.movement;
   if (!movement) return Refusal{Cause::no_value};
   if (is_group() && movement->parts().empty()) {
     hand_back(movement);
     return Refusal{Cause::single_axis};
   }
-  const auto from = expected_end();
-  Rejection no;
-  if (from || path_.open_ended())
-    no = movement->admit(config_, from.value_or(last()));
-  else if (movement->course() == Course::path)
-    no = Refusal{Cause::in_motion};
-  if (no && stands()) no = movement->admit(config_, last());
-  // A swap at a master position, or at the end of rows, checks its start state at the swap.
-  if (no && on_path() && (path_->synchronized() || path_.open_ended()) &&
-      (no->cause == Cause::start_position || no->cause == Cause::start_velocity))
-    no.reset();
+  const auto no = against_arming(*movement, motion_, present(), config_);
   if (no) {
     hand_back(movement);
     return no;
   }
   disarm();
-  armed_.arm(movement, what.group);
-  groups_.join(what.group, now_.tick);
+  slot_.arm(*movement, what.group, now_.tick);
   return std::nullopt;
-}
-
-MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Disarm& /*it*/) {
-  if (!armed_.waiting()) disarm();
-  forget_later();
-  return take_back_next();
-}
-
-/// The state in which the present motion will come to rest, or in which a pass of it ends; nullopt:
-/// not available.
-std::optional<MotionState> MotionAxis::Impl::expected_end() const {
-  if (!moving()) return MotionState{now_.position, 0, 0};
-  const double above = above_.distance();
-  if (base_ == Base::move) {
-    if (repeats()) return std::nullopt;
-    const Goal& goal = move_.goal();
-    if (goal.kind == Goal::Kind::velocity && goal.value != 0) return std::nullopt;
-    const bool there = goal.kind == Goal::Kind::position;
-    return MotionState{(there ? goal.value : move_.plan().end().position) + above, 0, 0};
-  }
-  auto end = active()->end();
-  if (end) end->position += above;
-  return end;
 }
 
 void MotionAxis::Impl::disarm() {
-  const ArmedMotion was = std::exchange(armed_, {});
-  if (was) hand_back(was.movement());
-  groups_.break_armed(was.group(), was.waiting(), now_.tick);
-  if (path_.swaps()) path_.forget_boundary();
+  if (const Movement* const left = slot_.empty(now_.tick)) hand_back(left);
+  if (motion_.path().swaps()) motion_.path().forget_boundary();
 }
 
-MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Start& what) {
-  if (!armed_) return Refusal{Cause::not_armed};
+MotionAxis::Impl::Rejection MotionAxis::Impl::start(const command::Start& what) {
+  if (!slot_.armed()) return Refusal{Cause::not_armed};
   if (is_group() && on_path())
     return Refusal{Cause::in_motion};  // it holds: a new path is elsewhere
-  if (auto no = against_axes()) return no;
+  if (auto no = against_peers()) return no;
   if (what.when == StartAt::end_of_table && moving()) return start_at_end();
-  if (what.when == StartAt::end_of_table && armed_.is_live()) return Refusal{Cause::no_movement};
-  if (what.when == StartAt::tick && what.tick >= 0 && what.tick < now_.tick)
-    return Refusal{Cause::too_late, static_cast<double>(what.tick), static_cast<double>(now_.tick)};
-  if (what.when == StartAt::master_position && !std::isfinite(what.position))
-    return Refusal{Cause::no_value, what.position};
+  if (auto no = against_start(what, slot_.armed(), motion_, present())) return no;
   const bool swaps = what.when == StartAt::master_position && on_path();
-  const bool rests = !moving() || (stands() && !swaps);
-  if (!armed_.is_live() && !rests && !swaps) return Refusal{Cause::in_motion};
-  if (swaps)
-    if (auto no = against_swap()) return no;
+  const bool rests = !moving() || (motion_.stands(now_.tick, now_.velocity) && !swaps);
   // A coupling that begins later is checked at its beginning: its master will be elsewhere.
   const bool later = what.when == StartAt::master_position || what.tick > now_.tick;
-  if (rests && !(later && armed_.is_live())) {
-    auto no = armed_->admit(config_, last());
-    const Cause cause = armed_->begin(last(), moment());
-    if (cause != Cause::none && !no) no = begin_refusal(cause, last());
+  if (rests && !(later && slot_.armed().is_live())) {
+    auto no = slot_.armed()->admit(config_, last());
+    const Cause cause = slot_.armed()->begin(last(), moment());
+    if (cause != Cause::none && !no) no = begin_refusal(cause, *slot_.armed(), last());
     if (cause != Cause::none) no->cause = cause;
-    if (!no) no = against_switch(*armed_);
+    if (!no) no = against_active_switch();
     if (no) return no;
   }
   const StartAt when = what.when == StartAt::end_of_table ? StartAt::tick : what.when;
-  armed_.accept(when, std::max(what.tick, now_.tick), what.position, now_.tick);
-  if (swaps) path_.follow(request());
+  slot_.accept(when, std::max(what.tick, now_.tick), what.position, now_.tick);
+  if (swaps) motion_.path().follow(motion_.request(present()));
   return std::nullopt;
 }
 
-/// True if it is held on its path, or stopped there by an underrun and reset: the armed movement
-/// may begin from here.
-bool MotionAxis::Impl::stands() const {
-  return on_path() && !above_.running() && ending_ == Ending::none && path_.rests(now_.tick) &&
-         now_.velocity == 0;
-}
-
-MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Couple& what) {
+MotionAxis::Impl::Rejection MotionAxis::Impl::couple(const command::Couple& what) {
   Movement* const movement = what.movement;
   if (!movement) return Refusal{Cause::no_value};
   if (movement->course() != Course::live) {
@@ -125,179 +72,112 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::act(const command::Couple& what) {
     return no;
   }
   disarm();
-  armed_.arm(movement, 0);
-  armed_.accept(StartAt::tick, std::max(what.tick, now_.tick), 0, now_.tick);
+  slot_.arm(*movement, 0, now_.tick);
+  slot_.accept(StartAt::tick, std::max(what.tick, now_.tick), 0, now_.tick);
   return std::nullopt;
 }
 
 /// Begins the armed movement in its tick, or when the master passes its position, or when a pass of
 /// the active cam ends.
 void MotionAxis::Impl::begin_due() {
-  if (!armed_.waiting()) return;
-  const bool on_cam = on_path() && !armed_.is_live();
-  if (armed_.when() == StartAt::master_position && on_cam) return;  // see advance_path()
-  if (armed_.when() == StartAt::end_of_table && on_path()) return;  // see advance_path()
+  if (!slot_.armed().waiting()) return;
+  const bool on_cam = on_path() && !slot_.armed().is_live();
+  if (slot_.armed().when() == StartAt::master_position && on_cam) return;  // see advance_path()
+  if (slot_.armed().when() == StartAt::end_of_table && on_path()) return;  // see advance_path()
   const auto at = begins_at();
   if (!at) return;
-  if (!armed_.is_live() && moving() && !stands()) return drop({.cause = Cause::in_motion});
+  if (!slot_.armed().is_live() && moving() && !motion_.stands(now_.tick, now_.velocity))
+    return drop({.cause = Cause::in_motion});
   begin_pending(*at);
 }
 
 /// The instant at which it begins, `t` s after this tick (0 or less); nullopt: it is not due.
 std::optional<Moment> MotionAxis::Impl::begins_at() {
-  if (armed_.when() == StartAt::tick) {
-    const std::int64_t late = now_.tick - armed_.tick_or(now_.tick);
+  if (slot_.armed().when() == StartAt::tick) {
+    const std::int64_t late = now_.tick - slot_.armed().tick_or(now_.tick);
     if (late < 0) return std::nullopt;
     return Moment{-seconds(late * config_.period), dt(), inputs_.master};
   }
-  if (armed_.when() == StartAt::master_position) return crossing();
-  if (base_ == Base::live) return live_.pass_end(moment(), now_.tick);
+  if (slot_.armed().when() == StartAt::master_position)
+    return crossing(slot_.armed().position(), master_.last(), inputs_.master, dt());
+  if (motion_.is_live()) return motion_.live().pass_end(moment(), now_.tick);
   drop({.cause = Cause::no_movement});  // that movement has ended
   return std::nullopt;
 }
 
-/// The instant at which the live master passes the start position, between the previous tick and
-/// this one.
-std::optional<Moment> MotionAxis::Impl::crossing() const {
-  const double before = last_master_[0] - armed_.position();
-  const double after = inputs_.master[0] - armed_.position();
-  if (!(before * after <= 0 && before != after)) return std::nullopt;
-  const Sample earlier{-dt(), last_master_};
-  const Sample now{0, inputs_.master};
-  const Sample at =
-      before == 0 ? earlier : jounce::passing(earlier, now, armed_.position()).value_or(now);
-  return Moment{at.t, dt(), at.master};
-}
-
 /// The state of the axis at that instant: the start of a coupling.
 std::optional<MotionState> MotionAxis::Impl::state_at(const Moment& at, Cause& no) {
-  if (!moving() || !armed_.is_live()) return last();
+  if (!moving() || !slot_.armed().is_live()) return last();
   Setpoint next;
-  if (armed_.when() != StartAt::tick && base_ == Base::live) {
-    next = live_.at(at, now_.tick);
-    if (live_->progress() == Progress::broken) no = live_->cause();
+  if (slot_.armed().when() != StartAt::tick && motion_.is_live()) {
+    next = motion_.live().at(at, now_.tick);
+    if (motion_.live()->progress() == Progress::broken) no = motion_.live()->cause();
   } else {
     no = advance(next);
   }
   if (no != Cause::none) return std::nullopt;
-  above_.add_to(next, now_.tick);
+  motion_.above().add_to(next, now_.tick);
   return state_of(next);
 }
 
-/// The answer of the armed movement to an axis in this state.
-Refusal MotionAxis::Impl::begin_refusal(Cause no, const MotionState& state) const {
-  const bool placed = no == Cause::start_position || no == Cause::cutter_away;
-  return {.cause = no,
-          .value = placed ? armed_->place() : state.position,
-          .limit = placed ? state.position : 0};
-}
-
-/// The refusal of a path that leads outwards from an active limit switch.
-std::optional<Refusal> MotionAxis::Impl::against_switch(const Movement& path) const {
-  const int way = path.direction();
-  const bool blocked = (way > 0 && inputs_.positive_switch) || (way < 0 && inputs_.negative_switch);
-  return blocked ? std::optional(Refusal{Cause::direction_blocked, now_.position, 0})
-                 : std::nullopt;
-}
-
-/// The refusal of a coupling whose slave would exceed a limit.
-std::optional<Refusal> MotionAxis::Impl::against_demand(const Moment& start) const {
-  const Peaks need = armed_->demand(start);
-  const auto& [low, high, v, a, j] = config_.limits;
-  for (const auto& [value, most, cause] : {std::tuple{need.velocity, v, Cause::velocity_limit},
-                                           {need.acceleration, a, Cause::acceleration_limit},
-                                           {need.jerk, j, Cause::jerk_limit}})
-    if (most && !(value <= *most * (1 + profiles_detail::rounded_input)))
-      return Refusal{cause, value, *most};
-  return std::nullopt;
-}
-
-/// The refusal of a coupling that has begun, and whose first setpoint would be a fault.
-std::optional<Refusal> MotionAxis::Impl::against_jump() const {
-  const auto first = armed_->first_setpoint(moment());
-  if (!first) return std::nullopt;
-  switch (check_setpoint(last(), *first, {dt(), joint_step()}, rules())) {
-    case Cause::none:
-      break;
-    case Cause::overspeed:
-      return Refusal{Cause::velocity_limit, std::abs(first->velocity), *config_.limits.velocity};
-    case Cause::out_of_range:
-      return Refusal{Cause::position_limit, first->position, now_.position};
-    default:
-      return Refusal{Cause::start_jump, first->velocity, now_.velocity};
-  }
-  if (!exceeds_acceleration(*first, config_)) return std::nullopt;
-  return Refusal{Cause::acceleration_limit, std::abs(first->acceleration),
-                 *config_.limits.acceleration};
+/// The refusal of an armed path that leads outwards from an active limit switch.
+MotionAxis::Impl::Rejection MotionAxis::Impl::against_active_switch() const {
+  return against_switch(*slot_.armed(), inputs_.positive_switch, inputs_.negative_switch,
+                        now_.position);
 }
 
 /// A movement that waited for an event of its master begins with a setpoint that would be a fault. The
 /// start is dropped, and the axis stays at rest. Returns false if it is no such start.
 bool MotionAxis::Impl::miss_event(Cause wrong, const Setpoint& next) {
-  const bool begins = base_ == Base::live && live_->progress() >= Progress::running;
-  if (!begins || above_.running() || now_.velocity != 0) return false;
-  const MotionState first = state_of(next);
-  Refusal why{Cause::start_jump, first.velocity, now_.velocity};
-  if (wrong == Cause::overspeed)
-    why = {Cause::velocity_limit, std::abs(first.velocity), *config_.limits.velocity};
-  else if (wrong == Cause::overacceleration)
-    why = {Cause::acceleration_limit, std::abs(first.acceleration), *config_.limits.acceleration};
-  else if (wrong != Cause::jump)
-    return false;
+  const bool begins = motion_.is_live() && motion_.live()->progress() >= Progress::running;
+  if (!begins || motion_.above().running() || now_.velocity != 0) return false;
+  const auto why = against_first(wrong, state_of(next), now_.velocity, config_);
+  if (!why) return false;
   now_.profile.clear();
-  forget_next();
+  note(replaced(motion_.own().take_all()));
   freeze();
   state_ = State::standstill;
   now_.dropped = why;
-  now_.reason = why.cause;
+  now_.reason = why->cause;
   return true;
-}
-
-/// The ratio at which the axis follows its master in step, u/m; 0: it does not.
-double MotionAxis::Impl::followed_ratio() const {
-  return base_ == Base::live && live_->progress() == Progress::running ? live_->ratio() : 0;
 }
 
 void MotionAxis::Impl::begin_pending(const Moment& at) {
   if (inputs_.peers == Peers::missing) return drop({.cause = Cause::group_stopped});
-  if (const auto refusal = against_axes()) return drop(*refusal);
+  if (const auto refusal = against_peers()) return drop(*refusal);
   if (is_group()) {  // the length along its path
     now_.position = 0;
-    path_way_.reset();
+    outputs_.begin_path();
   }
-  const bool live = armed_.is_live();
+  const bool live = slot_.armed().is_live();
   Cause no = Cause::none;
   const auto state = state_at(at, no);
   if (!state) return drop({.cause = no});
-  if (const auto refusal = live ? armed_->admit(config_, *state) : std::nullopt)
+  if (const auto refusal = live ? slot_.armed()->admit(config_, *state) : std::nullopt)
     return drop(*refusal);
-  if (const auto refusal = against_switch(*armed_)) return drop(*refusal);
+  if (const auto refusal = against_active_switch()) return drop(*refusal);
   // The positions of the next cam do not include the phase shift of this one.
-  if (armed_->passes() && live_.phase().moves(now_.tick)) return drop({.cause = Cause::in_motion});
-  Moment begin = live && armed_.when() != StartAt::tick ? at : moment();
-  begin.ratio = followed_ratio();
-  no = armed_->begin(*state, begin);
-  if (no != Cause::none) return drop(begin_refusal(no, *state));
-  if (const auto refusal = live ? against_jump() : std::nullopt) return drop(*refusal);
-  if (const auto refusal = against_demand(begin)) return drop(*refusal);
-  const ArmedMotion begun = std::exchange(armed_, {});
-  const bool was_moving = moving();
-  const bool was_registered = is_registered();
+  if (slot_.armed()->passes() && motion_.live().phase().moves(now_.tick))
+    return drop({.cause = Cause::in_motion});
+  Moment begin = live && slot_.armed().when() != StartAt::tick ? at : moment();
+  begin.ratio = motion_.in_step() ? motion_.live()->ratio() : 0;
+  no = slot_.armed()->begin(*state, begin);
+  if (no != Cause::none) return drop(begin_refusal(no, *slot_.armed(), *state));
+  if (const auto refusal =
+          live ? against_jump(*slot_.armed(), moment(), last(), home_.rules()) : std::nullopt)
+    return drop(*refusal);
+  if (const auto refusal = against_demand(*slot_.armed(), begin, config_)) return drop(*refusal);
+  const ArmedMotion begun = slot_.take();
+  const bool was_registered = master_.registers(motion_.follows_master());
   drop_movement();
-  forget_next();
-  held_ = false;
-  ending_ = Ending::none;
-  above_.clear();
-  if (!was_moving) begun_ = begun.tick_or(now_.tick);
+  note(replaced(motion_.own().take_all()));
   if (live) {
-    base_ = Base::live;
-    live_.begin(*begun.movement(), now_.tick);
-    if (is_registered() && !was_registered) registration_->begin(inputs_.master[0]);
+    motion_.begin_live(begun, present());
+    if (motion_.follows_master() && !was_registered) master_.begin(inputs_.master[0]);
   } else {
     // At full speed, path time is bit for bit ticks * period since the tick of the start.
     const double ahead = begun.when() == StartAt::tick ? 0 : -at.t;
-    base_ = Base::path;
-    path_.begin(*begun.movement(), begun.tick_or(now_.tick), requested_rate(), ahead);
+    motion_.begin_path(begun, ahead, present());
   }
   now_.reason = Cause::none;
   enter(begun);
@@ -305,15 +185,13 @@ void MotionAxis::Impl::begin_pending(const Moment& at) {
 
 /// The movement is now the played one.
 void MotionAxis::Impl::enter(const ArmedMotion& begun) {
-  group_ = begun.group();
-  joint_ = true;
+  motion_.join();
   state_ = playing_state();
-  has_master_ = begun->synchronized();
-  outputs_.place(SwitchesOf::master);
+  outputs_.enter(begun->synchronized());
 }
 
 State MotionAxis::Impl::playing_state() const {
-  return active()->synchronized() ? State::synchronized_motion : State::discrete_motion;
+  return motion_.movement()->synchronized() ? State::synchronized_motion : State::discrete_motion;
 }
 
 }  // namespace jounce

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 
@@ -117,6 +118,10 @@ class PathPlayer {
   [[nodiscard]] double boundary() const noexcept;
   /// True if path time has reached the boundary in that tick.
   [[nodiscard]] bool reaches_boundary(std::int64_t tick) const noexcept;
+  /// True if the path repeats its passes without end.
+  [[nodiscard]] bool repeats() const noexcept {
+    return path_ && std::isinf(path_->known()) && path_->pass() > 0;
+  }
   /// True if the length of the path is not given in advance, as in a stream of rows: the path ends
   /// at rest with its last row, which may not have arrived yet.
   [[nodiscard]] bool open_ended() const noexcept { return path_ && path_->pass() <= 0; }

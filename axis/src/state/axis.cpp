@@ -4,31 +4,24 @@
 #include <cmath>
 #include <limits>
 
-#include "axis/src/motion/setpoint_check.hpp"
+#include "axis/src/group/group_role.hpp"
 #include "axis/src/state/axis_impl.hpp"
 
 // One tick of an axis, from its inputs to its outputs. Read it from step() down. Other files:
 // axis_commands.cpp, axis_moves.cpp, axis_buffer.cpp and axis_starts.cpp (commands), axis_path.cpp
-// (a path and the next one), axis_ends.cpp (the end of a motion). Each kind of motion is played by
-// a class: PathPlayer, LivePlayer, MovePlayer, SuperimposedMove.
+// (a path and the next one), axis_ends.cpp (the end of a motion).
 
 namespace jounce {
 
 MotionAxis::Impl::Impl(const AxisConfig& config, const AxisSwitches& switches,
                        const AxisCompare& compare)
     : config_(resolved(config)),
-      unranged_(config_),
-      path_(config_),
-      live_(config_.period),
-      move_(config_.period),
-      above_(config_),
-      plane_axes_(compare.plane_axes),
-      outputs_(switches, compare),
-      compares_way_(compare.list.has_value()) {
-  if (config_.registration) registration_.emplace(*config_.registration);
-  if (config_.compensation) compensation_.emplace(*config_.compensation, config_.modulo);
+      master_(config_),
+      coordinate_(config_),
+      motion_(config_),
+      home_(config_),
+      outputs_(switches, compare) {
   now_.position = config_.position;
-  unranged_.limits.position_min = unranged_.limits.position_max = std::nullopt;
 }
 
 Tick MotionAxis::Impl::step(std::int64_t tick, const Command& command, const Inputs& inputs) {
@@ -40,15 +33,17 @@ Tick MotionAxis::Impl::step(std::int64_t tick, const Command& command, const Inp
   now_.dropped.reset();
   now_.handed_back = {};
   now_.frozen = false;
-  if (base_ != Base::live) now_.profile.clear();
-  joint_ = false;
-  path_outputs_.step();
+  if (!motion_.is_live()) now_.profile.clear();
+  motion_.begin_tick();
+  outputs_.begin_tick();
   const bool rested = !moving();
   if (state_ == State::homing && !moving()) state_ = State::standstill;
-  for (Movement* const movement : {active(), armed_.movement(), movement_of(command.what)})
+  for (Movement* const movement :
+       {motion_.movement(), slot_.armed().movement(), movement_of(command.what)})
     if (movement != nullptr) movement->see(inputs.rows);
   take(inputs);
-  register_marks();
+  inputs_.master =
+      master_.corrected(inputs_.master, inputs_.feedback.triggers, motion_.follows_master());
   obey_due();
   obey(command);
   watch();
@@ -60,8 +55,7 @@ Tick MotionAxis::Impl::step(std::int64_t tick, const Command& command, const Inp
   operate_outputs();
   probe();
   last_tick_ = tick;
-  last_master_ = inputs_.master;
-  end_of_marks();
+  master_.end_tick(inputs_.master, motion_.follows_master());
   report();
   return now_;
 }
@@ -71,27 +65,32 @@ void MotionAxis::Impl::report() {
   now_.in_position =
       windows_.settled(now_.following_error, state_ == State::standstill, dt(), config_);
   now_.state = state_;
-  const Movement* const played = active();
+  const Movement* const played = motion_.movement();
   now_.job = played ? played->id() : 0;
-  now_.armed = armed_ ? armed_->id() : 0;
-  now_.group = played ? group_ : 0;
-  now_.broken = groups_.broken();
-  now_.next = {};
-  if (armed_ && armed_.group() != 0)
-    now_.next = {armed_.group(), armed_.waiting(), armed_.tick_or(-1)};
-  now_.held = held_;
-  now_.ratio = base_ == Base::live ? live_->ratio() : 0;
-  now_.compensated = compensation_ && compensation_->active();
-  now_.waiting = armed_.waiting() || !next_.empty() || later_ || change_;
-  now_.later = later_ ? later_->at : -1;
-  const bool at_master = armed_.waiting() && armed_.when() == StartAt::master_position;
-  now_.start_position = at_master ? armed_.position() : std::numeric_limits<double>::quiet_NaN();
+  now_.armed = slot_.armed() ? slot_.armed()->id() : 0;
+  now_.group = played ? slot_.group() : 0;
+  now_.broken = slot_.broken();
+  now_.next = slot_.next();
+  now_.held = motion_.held();
+  now_.ratio = motion_.is_live() ? motion_.live()->ratio() : 0;
+  now_.compensated = coordinate_.compensates();
+  now_.offset = coordinate_.offset();
+  now_.correction = coordinate_.correction();
+  now_.registration = master_.reading();
+  now_.waiting = slot_.armed().waiting() || !motion_.own().waiting().empty() || later_.waits() ||
+                 motion_.own().changes_later();
+  now_.later = later_.tick();
+  const bool at_master =
+      slot_.armed().waiting() && slot_.armed().when() == StartAt::master_position;
+  now_.start_position =
+      at_master ? slot_.armed().position() : std::numeric_limits<double>::quiet_NaN();
   now_.live_master = {inputs_.master[0], inputs_.master[1]};
   now_.progress = played ? played->progress() : moving() ? Progress::running : Progress::done;
-  if (on_path() && ending_ == Ending::fault && now_.fault == Cause::underrun)
+  if (on_path() && motion_.ending() == Ending::fault && now_.fault == Cause::underrun)
     now_.progress = Progress::starving;
-  now_.override_ = on_path() ? path_.granted(factor_, request().next) : factor_;
-  const PathTime time = on_path() ? path_.time(now_.tick) : PathTime{};
+  now_.override_ =
+      on_path() ? motion_.path().granted(motion_.factor(), slot_.waiting()) : motion_.factor();
+  const PathTime time = on_path() ? motion_.path().time(now_.tick) : PathTime{};
   now_.rate = time.rate;
   now_.path_time = time.s;
 }
@@ -104,7 +103,7 @@ void MotionAxis::Impl::take(const Inputs& inputs) {
   inputs_.positive_switch |= inputs_.feedback.sensors.positive.on;
   inputs_.negative_switch |= inputs_.feedback.sensors.negative.on;
   see_renamed(before);
-  remember_master();
+  master_.see(dt(), inputs_.master);
   see_feedback();
   now_.torque = inputs_.feedback.torque;
   // A disabled axis takes the position of its drive: enabling causes no motion.
@@ -115,14 +114,12 @@ void MotionAxis::Impl::take(const Inputs& inputs) {
 
 /// A new coordinate of the master passes no position and causes no motion.
 void MotionAxis::Impl::see_renamed(const Inputs& before) {
-  live_.shift_second(inputs_.second_offset - before.second_offset);
+  motion_.live().shift_second(inputs_.second_offset - before.second_offset);
   const double by = inputs_.master_offset - before.master_offset;
   if (by == 0) return;
-  last_master_[0] += by;
-  master_seen_.shift(by);
-  live_.shift_master(by);
-  if (registration_) registration_->shift(by);
-  if (base_ == Base::live) outputs_.place(SwitchesOf::master);
+  master_.shift(by);
+  motion_.live().shift_master(by);
+  if (motion_.is_live()) outputs_.rename_master();
 }
 
 void MotionAxis::Impl::watch() {
@@ -136,14 +133,15 @@ void MotionAxis::Impl::watch() {
   }
   // Without a heartbeat, an axis in motion stops; an axis at rest stays at rest. A group stops with
   // its axes on its path.
-  const bool stops = state_ == State::error_stop || !(moving() || armed_.waiting() || later_);
-  if (wrong == Cause::watchdog && (stops || base_ == Base::group)) wrong = Cause::none;
+  const bool stops =
+      state_ == State::error_stop || !(moving() || slot_.armed().waiting() || later_.waits());
+  if (wrong == Cause::watchdog && (stops || motion_.in_group())) wrong = Cause::none;
   if (windows_.too_far(now_.following_error, dt(), config_) && wrong == Cause::none)
     wrong = Cause::following_error;
   const bool broken = inputs_.peers == Peers::failed && state_ != State::error_stop;
   if (broken && wrong == Cause::none) {
     wrong = Cause::axis_fault;
-    now_.failed_axis = axis_refusal(Cause::axis_not_ready);
+    now_.failed_axis = axis_refusal(Cause::axis_not_ready, inputs_);
   }
   if (wrong == Cause::following_error) return fail(wrong, now_.following_error);
   if (wrong != Cause::none) return fail(wrong);
@@ -154,129 +152,62 @@ void MotionAxis::Impl::watch() {
 
 void MotionAxis::Impl::play() {
   // Ticks skipped before the motion began, or during a hold, do not count.
-  const bool held = on_path() && now_.velocity == 0 && path_.time(now_.tick).rate == 0;
-  if (!held && std::min(now_.skipped, now_.tick - begun_) >= config_.longest_gap)
+  const bool held = on_path() && now_.velocity == 0 && motion_.path().time(now_.tick).rate == 0;
+  if (!held && std::min(now_.skipped, now_.tick - motion_.begun()) >= config_.longest_gap)
     return fail(Cause::stalled);
   constexpr int reactions = 3;  // stop on the path, then off it
   for (int i = 0; i < reactions && moving(); ++i) {
     Setpoint next;
-    const bool waits = base_ == Base::live && live_->progress() == Progress::waiting;
+    const bool waits = motion_.is_live() && motion_.live()->progress() == Progress::waiting;
     Cause wrong = advance(next);
-    add_correction(next);
+    master_.correct_slave(next.slave, motion_.follows_master());
     const MotionState bare = state_of(next);
     if (wrong == Cause::none) {
-      above_.add_to(next, now_.tick);
-      wrong = judge(next);
+      motion_.above().add_to(next, now_.tick);
+      // Braking after a fault passes without a check.
+      if (!motion_.brakes_in_fault())
+        wrong =
+            supervise(state_of(next), motion_.supervised(now_.skipped, present()), home_.rules());
     }
     if (wrong == Cause::none) {
-      bare_ = {bare, now_.tick};
+      motion_.put_out(bare, now_.tick);
       give_out(next);
       return conclude();
     }
     if (waits && miss_event(wrong, next)) return;
-    fail(wrong, excess(wrong, next));
+    fail(wrong,
+         excess(wrong, state_of(next), motion_.supervised(now_.skipped, present()), home_.rules()));
   }
 }
 
 Cause MotionAxis::Impl::advance(Setpoint& next) {
   if (on_path()) return advance_path(next);
-  if (base_ == Base::group) return advance_group(next);
-  return base_ == Base::live ? advance_live(next) : advance_move(next);
+  if (motion_.in_group()) return advance_group(next);
+  return motion_.is_live() ? advance_live(next) : advance_move(next);
 }
 
 Cause MotionAxis::Impl::advance_live(Setpoint& next) {
-  // A pass that ends exactly in a tick is found in this tick and in the next one; a master may also
-  // rest at the end of a pass.
-  const auto before = now_.profile.events();
-  const double reported = before.empty() ? std::numeric_limits<double>::quiet_NaN()
-                                         : before.back().t - dt();  // from this tick
-  now_.profile.clear();
-  const bool moved = inputs_.master[0] != last_master_[0];
-  if (const auto end = live_.pass_end(moment(), now_.tick);
-      end && moved && !(std::abs(end->t - reported) < dt() / 2))
-    live_.add_pass(*end, now_.tick, now_.profile);
-  next = live_.at(moment(), now_.tick);
-  live_.add_events(now_.tick, now_.profile);
-  const bool fails = is_registered() && registration_->spec().on_loss == MarkLoss::fault;
-  if (fails && registration_->reading().lost) return Cause::marks_lost;
-  if (live_->progress() != Progress::broken) return Cause::none;
-  return is_fault(live_->cause()) ? live_->cause() : Cause::master_lost;
+  const bool moved = inputs_.master[0] != master_.last()[0];
+  const Cause no = motion_.advance_live(next, now_.profile, moved, present());
+  return master_.fails(motion_.follows_master()) ? Cause::marks_lost : no;
 }
 
 Cause MotionAxis::Impl::advance_move(Setpoint& next) {
-  change_if_passed();
-  if (const Cause no = begin_strokes(); no != Cause::none) return no;
-  while (passes() && move_.is_over(now_.tick))  // a late cycle may pass several
-    if (const Cause no = pass_target(); no != Cause::none) return no;
-  next = {now_.master, 0, move_.at(now_.tick)};
+  const OwnMove::Step step = motion_.own().advance(motion_.conditions(present()));
+  if (step.dropped) now_.dropped = step.dropped;
+  now_.finished += static_cast<std::uint64_t>(step.passed);
+  if (step.passed > 0)
+    state_ = motion_.own().goal().kind == Goal::Kind::velocity ? State::continuous_motion
+                                                               : State::discrete_motion;
+  if (step.fault != Cause::none) return step.fault;
+  next = {now_.master, 0, motion_.own().player().at(now_.tick)};
   return Cause::none;
-}
-
-/// Checks a setpoint before its output; braking after a fault passes without a check.
-Cause MotionAxis::Impl::judge(const Setpoint& next) const {
-  if (base_ == Base::move && ending_ == Ending::fault) return Cause::none;
-  const MotionState state = state_of(next);
-  const Peaks path = on_path() ? path_.peaks() : Peaks{};
-  const double joint = joint_ ? joint_step() : 0;
-  const double kinks = path.velocity_step * static_cast<double>(now_.skipped + 2);
-  const double checked = path_.open_ended() ? 0 : path.velocity;  // later rows are not checked yet
-  const StepAllowance step{dt(), kinks + joint, checked};
-  const Cause no = check_setpoint(last(), state, step, rules());
-  const bool supervised = ending_ != Ending::fault && !inside_as_a_whole();
-  if (supervised && (no == Cause::none || no == Cause::out_of_range))
-    if (const Cause limit = check_range(last(), state, rules()); limit != Cause::none) return limit;
-  if (no != Cause::none) return no;
-  if (supervised && exceeds_velocity(state, config_)) return Cause::overspeed;
-  if (supervised && in_step() && exceeds_acceleration(state, config_))
-    return Cause::overacceleration;
-  if (homing_) return Cause::none;
-  if (state.velocity > 0 && inputs_.positive_switch) return Cause::positive_switch;
-  if (state.velocity < 0 && inputs_.negative_switch) return Cause::negative_switch;
-  return Cause::none;
-}
-
-/// The velocity step that a joint of two motions may have, u/s.
-double MotionAxis::Impl::joint_step() const {
-  return *config_.limits.acceleration * seconds(config_.period);
-}
-
-/// True if the axis follows its master in step: the master alone determines its acceleration.
-bool MotionAxis::Impl::in_step() const {
-  return base_ == Base::live && live_->progress() == Progress::running;
-}
-
-/// The number with which a setpoint exceeds a limit, for Tick::fault_value.
-double MotionAxis::Impl::excess(Cause wrong, const Setpoint& next) const {
-  const auto [p, v, a] = state_of(next);
-  switch (wrong) {
-    case Cause::overspeed:
-      return std::max(reached_speed({p, v, a}, config_), std::abs(p - now_.position) / dt());
-    case Cause::overacceleration:
-      return std::abs(a);
-    case Cause::jump:
-      return std::max(std::abs(a), std::abs(v - now_.velocity) / dt());
-    default:
-      return std::numeric_limits<double>::quiet_NaN();
-  }
-}
-
-/// Returns true if the whole motion was checked against the position range when it was accepted: a
-/// path, or a move to a position. Each can stop inside the range: the path on itself, the move with
-/// the stop limits, which exceed those of the move.
-bool MotionAxis::Impl::inside_as_a_whole() const {
-  if (above_.shifts()) return false;
-  if (on_path()) return path_->bounded();
-  return base_ == Base::move && move_.goal().kind == Goal::Kind::position && requested_rate() > 0;
 }
 
 void MotionAxis::Impl::give_out(const Setpoint& next) {
   const auto& [p, v, a, j] = next.slave;
-  path_.put_out(now_.tick);
-  keep_parts();
-  if (is_group() && on_path()) {
-    path_outputs_.pass(*path_.path(), path_.time(now_.tick), dt());
-    if (compares_way_) path_way_.pass(*path_.path(), path_.time(now_.tick));
-  }
+  if (on_path())
+    outputs_.put_out(*motion_.path().path(), motion_.path().time(now_.tick), dt(), is_group());
   now_.master = next.master;
   now_.master_velocity = next.master_velocity;
   now_.position = p;
@@ -285,18 +216,14 @@ void MotionAxis::Impl::give_out(const Setpoint& next) {
 }
 
 void MotionAxis::Impl::operate_outputs() {
-  OutputPlaces places;
-  places.commanded = {now_.position, now_.velocity};
-  if (is_group() && compares_way_)
-    places.way = {path_way_.length(), on_path() ? path_way_.velocity() : 0};
-  places.actual = {now_.actual_position, inputs_.feedback.velocity};
-  if (has_master_) places.master = {now_.master, now_.master_velocity};
-  for (std::size_t k = 0; k < plane_axes_.size() && plane_axes_[k] < part_count_; ++k)
-    places.plane[k] = {parts_[plane_axes_[k]][0], parts_[plane_axes_[k]][1]};
-  outputs_.step(places, dt());
+  outputs_.step({.commanded = {now_.position, now_.velocity},
+                 .actual = {now_.actual_position, inputs_.feedback.velocity},
+                 .master = {now_.master, now_.master_velocity},
+                 .is_group = is_group(),
+                 .on_path = on_path(),
+                 .disabled = state_ == State::disabled},
+                dt());
   now_.switches = outputs_.switches();
-  if (is_group() && state_ == State::disabled) path_outputs_.off();
-  path_outputs_.add_to(now_.switches);
   now_.compare = outputs_.compare();
 }
 
@@ -317,30 +244,27 @@ void MotionAxis::Impl::hand_back(const Movement* movement) {
 /// Drops the waiting start. This answers the command of this tick only if that command requested
 /// it.
 void MotionAxis::Impl::drop(const Refusal& why) {
-  const bool refused = armed_.accepted_in(now_.tick);
+  const bool refused = slot_.armed().accepted_in(now_.tick);
   (refused ? now_.refused : now_.dropped) = why;
-  if (!refused && armed_.is_live() && !moving()) now_.reason = why.cause;
+  if (!refused && slot_.armed().is_live() && !moving()) now_.reason = why.cause;
   disarm();
-}
-
-/// The played movement; null: none.
-Movement* MotionAxis::Impl::active() const {
-  return on_path() ? path_.path() : live_.movement();
 }
 
 MotionState MotionAxis::Impl::last() const {
   return {now_.position, now_.velocity, now_.acceleration};
 }
 
-/// The requested rate of the motion; a path may grant less.
-double MotionAxis::Impl::requested_rate() const {
-  if (held_ || ending_ != Ending::none) return 0;
-  return homing_ ? std::min(factor_, 1.0) : factor_;  // a homing has its own velocities
-}
-
-PathRequest MotionAxis::Impl::request() const {
-  return {now_.tick, requested_rate(), above_.peaks(),
-          armed_.waiting() ? armed_.movement() : nullptr};
+/// The axis in this tick, as its motion reads it.
+MotionNow MotionAxis::Impl::present() const {
+  return {.tick = now_.tick,
+          .last_tick = last_tick_,
+          .last = last(),
+          .moment = moment(),
+          .rules = home_.rules(),
+          .searches = home_.running(),
+          .positive_switch = inputs_.positive_switch,
+          .negative_switch = inputs_.negative_switch,
+          .next = slot_.waiting()};
 }
 
 }  // namespace jounce

@@ -9,28 +9,22 @@
 #include <span>
 
 #include "jounce/axis/axis.hpp"
-#include "jounce/path/point.hpp"
 
-#include "axis/src/follow/live_player.hpp"
-#include "axis/src/group/group_state.hpp"
-#include "axis/src/group/path_outputs.hpp"
-#include "axis/src/group/path_way.hpp"
-#include "axis/src/homing/homing.hpp"
-#include "axis/src/motion/armed_motion.hpp"
-#include "axis/src/motion/move_goal.hpp"
-#include "axis/src/motion/move_player.hpp"
-#include "axis/src/motion/path_player.hpp"
-#include "axis/src/motion/repetition.hpp"
-#include "axis/src/motion/superimposed_move.hpp"
-#include "axis/src/motion/waiting_moves.hpp"
-#include "axis/src/probe/position_history.hpp"
+#include "axis/src/compensation/axis_coordinate.hpp"
+#include "axis/src/homing/home_search.hpp"
+#include "axis/src/motion/later_command.hpp"
+#include "axis/src/motion/played_motion.hpp"
+#include "axis/src/motion/start_slot.hpp"
+#include "axis/src/probe/registered_master.hpp"
 #include "axis/src/probe/touch_probe.hpp"
-#include "axis/src/state/outputs.hpp"
+#include "axis/src/state/axis_outputs.hpp"
 #include "axis/src/state/supervision.hpp"
 
 namespace jounce {
 
-/// The parts of an axis, and its functions by the source that defines them. See MotionAxis.
+/// The state machine of an axis: its states, its faults, and the order of its parts in a tick. Each part
+/// owns its own state (docs/decisions/0183-parts-of-the-axis.md). The functions are listed by the source
+/// that defines them. See MotionAxis.
 class MotionAxis::Impl {
  public:
   Impl(const AxisConfig& config, const AxisSwitches& switches, const AxisCompare& compare);
@@ -39,18 +33,13 @@ class MotionAxis::Impl {
   Jet compensate(const References& references);
   [[nodiscard]] const AxisConfig& config() const { return config_; }
   [[nodiscard]] State state() const { return state_; }
-  [[nodiscard]] std::span<const Jet> parts() const;
+  [[nodiscard]] std::span<const Jet> parts() const { return outputs_.parts(); }
   [[nodiscard]] std::span<const Jet> places() const;
 
  private:
   /// Reason to reject a command; nullopt: accepted.
   using Rejection = std::optional<Refusal>;
-
-  /// The player of the motion, without the superimposed move. group: the group of the axis gives
-  /// the setpoints.
-  enum class Base : std::uint8_t { rest, path, live, move, group };
-  /// Reason for the present stop. table: the movement ended at a nonzero velocity.
-  enum class Ending : std::uint8_t { none, stop, release, group, halt, table, fault };
+  using Ending = PlayedMotion::Ending;
 
   // axis.cpp: one tick
   void take(const Inputs& inputs);
@@ -60,144 +49,71 @@ class MotionAxis::Impl {
   Cause advance(Setpoint& next);
   Cause advance_live(Setpoint& next);
   Cause advance_move(Setpoint& next);
-  [[nodiscard]] Cause judge(const Setpoint& next) const;
-  [[nodiscard]] double excess(Cause wrong, const Setpoint& next) const;
-  [[nodiscard]] double joint_step() const;
-  [[nodiscard]] bool in_step() const;
-  [[nodiscard]] bool inside_as_a_whole() const;
   void give_out(const Setpoint& next);
   void operate_outputs();
   void report();
   void hand_back(const Movement* movement);
   void drop(const Refusal& why);
   [[nodiscard]] bool miss_event(Cause wrong, const Setpoint& next);
-  [[nodiscard]] bool moving() const { return base_ != Base::rest; }
-  [[nodiscard]] bool on_path() const { return base_ == Base::path; }
-  [[nodiscard]] Movement* active() const;
+  [[nodiscard]] bool moving() const { return motion_.moving(); }
+  [[nodiscard]] bool on_path() const { return motion_.on_path(); }
   [[nodiscard]] MotionState last() const;
   [[nodiscard]] Moment moment() const { return {0, dt(), inputs_.master, inputs_.second_master}; }
+  [[nodiscard]] MotionNow present() const;
   [[nodiscard]] double dt() const { return seconds((now_.skipped + 1) * config_.period); }
-  [[nodiscard]] double requested_rate() const;
-  [[nodiscard]] PathRequest request() const;
 
   // axis_commands.cpp: commands
   void obey(const Command& command);
   Rejection take_up(const Command& command);
   [[nodiscard]] bool needs_home(const Command& command) const;
-  Rejection act(const command::None& /*none*/) { return std::nullopt; }
-  Rejection act(const command::Enable& /*on*/) { return power(true); }
-  Rejection act(const command::Disable& /*off*/) { return power(false); }
-  Rejection act(const command::Arm& what);
-  Rejection act(const command::Disarm& what);
-  Rejection act(const command::Start& what);
-  Rejection act(const command::Stop& what) { return end_motion(Ending::stop, what.dynamics); }
-  Rejection act(const command::Abort& /*now*/) {
-    fail(Cause::aborted);
-    return std::nullopt;
-  }
-  Rejection act(const command::Reset& what);
-  Rejection act(const command::SetPosition& what);
-  Rejection act(const command::Home& what);
-  Rejection act(const command::Hold& /*on*/) { return hold(true); }
-  Rejection act(const command::Resume& /*off*/) { return hold(false); }
-  Rejection act(const command::Override& what);
-  Rejection act(const command::Finish& what);
-  Rejection act(const command::MoveAbsolute& what) { return move_or_buffer(what); }
-  Rejection act(const command::MoveRelative& what) { return move_or_buffer(what); }
-  Rejection act(const command::MoveAdditive& what);
-  Rejection act(const command::MoveSuperimposed& what);
-  Rejection act(const command::MoveVelocity& what) { return move_or_buffer(what); }
-  Rejection act(const command::Halt& what) { return end_motion(Ending::halt, what.dynamics); }
-  Rejection act(const command::Couple& what);
-  Rejection act(const command::GearOut& /*out*/) { return decouple(); }
-  Rejection act(const command::CamOut& /*out*/) { return decouple(); }
-  Rejection act(const command::TouchProbe& what) {
-    return probes_.start(what, inputs_.feedback, config_);
-  }
-  Rejection act(const command::AbortTrigger& what) { return probes_.abort(what.input); }
-  Rejection act(const command::EnableCompensation& /*on*/) { return set_compensation(true); }
-  Rejection act(const command::DisableCompensation& /*off*/) { return set_compensation(false); }
-  Rejection act(const command::Cut& what);
-  Rejection act(const command::Park& it);
-  Rejection act(const command::Release& /*it*/) { return end_motion(Ending::release); }
-  Rejection act(const command::Extend& what);
+  Rejection execute(const AxisCommand& command);
+  Rejection reset();
+  Rejection set_position(const command::SetPosition& what);
+  Rejection override_by(double factor);
+  Rejection finish();
+  Rejection extend(const command::Extend& what);
   Rejection power(bool on);
-  Rejection set_position(double position);
+  Rejection rename_to(double position);
   Rejection end_motion(Ending ending, const MoveDynamics& asked = {});
   void break_groups();
   void stop_with_group();
   Rejection hold(bool on);
-  Rejection replan();
 
   // axis_group.cpp: a group, and an axis of a group
-  [[nodiscard]] Cause against_group(CommandKind kind) const;
   [[nodiscard]] Cause against_compensation(CommandKind kind) const;
-  [[nodiscard]] Rejection against_axes() const;
-  [[nodiscard]] Rejection against_reset() const;
-  [[nodiscard]] Refusal axis_refusal(Cause cause) const;
-  [[nodiscard]] Rejection against_extension(const command::Extend& what) const;
+  [[nodiscard]] Rejection against_peers() const;
   void follow_group();
   Cause advance_group(Setpoint& next) const;
-  void keep_parts();
   [[nodiscard]] bool is_group() const { return is_of_group(inputs_.peers); }
 
-  // axis_registration.cpp: positions of the last ticks, touch probes, registration
-  void remember_master();
-  [[nodiscard]] bool is_registered() const;
-  void register_marks();
-  void end_of_marks();
-  void add_correction(Setpoint& next) const;
-  void probe();
-
-  // axis_compensation.cpp: the compensation, and feedback in the coordinate of the axis
+  // axis_coordinate_commands.cpp: coordinates of the axis and of its master, compensation, touch probes
   Rejection set_compensation(bool on);
   void see_feedback();
   [[nodiscard]] bool keeps_coordinate() const;
-  void rename(double by);
-
-  // axis_phasing.cpp: the phase shift of a coupling
-  Rejection act(const command::PhasingAbsolute& what);
-  Rejection act(const command::PhasingRelative& what);
-  Rejection shift_phase(double target, const MoveDynamics& dynamics);
-
-  // axis_strokes.cpp: repetitive moves, and changes of the velocity of a move
-  Rejection act(const command::MoveRepetitive& what);
-  Rejection act(const command::ChangeVelocity& what);
-  Cause begin_strokes();
-  [[nodiscard]] bool repeats() const;
-  Rejection change_velocity(double velocity, const TimedState& from, double ahead);
-  void change_if_passed();
+  void probe();
 
   // axis_homing.cpp: the search for the home position
+  Rejection home(const command::Home& what);
   void seek();
   void find_home();
   [[nodiscard]] Homing::Seen seen() const;
-  /// The limits in effect; during homing, without the position range.
-  [[nodiscard]] const AxisConfig& rules() const { return homing_ ? unranged_ : config_; }
 
   // axis_starts.cpp: armed movements and their starts
+  Rejection arm(const command::Arm& what);
+  Rejection start(const command::Start& what);
+  Rejection couple(const command::Couple& what);
   void disarm();
   void begin_due();
   [[nodiscard]] std::optional<Moment> begins_at();
-  [[nodiscard]] std::optional<Moment> crossing() const;
-  [[nodiscard]] std::optional<Refusal> against_demand(const Moment& start) const;
-  [[nodiscard]] std::optional<Refusal> against_jump() const;
-  [[nodiscard]] double followed_ratio() const;
-  [[nodiscard]] Refusal begin_refusal(Cause no, const MotionState& state) const;
-  [[nodiscard]] std::optional<Refusal> against_switch(const Movement& path) const;
+  [[nodiscard]] Rejection against_active_switch() const;
   void begin_pending(const Moment& at);
   void enter(const ArmedMotion& begun);
   [[nodiscard]] std::optional<MotionState> state_at(const Moment& at, Cause& no);
-  [[nodiscard]] std::optional<MotionState> expected_end() const;
-  [[nodiscard]] bool stands() const;
   [[nodiscard]] State playing_state() const;
 
   // axis_path.cpp: motion along a path, and the change to another path
   Cause advance_path(Setpoint& next);
-  bool replan_path();
   Rejection start_at_end();
-  Rejection start_at_pass_end();
-  [[nodiscard]] Rejection against_swap() const;
   Cause swap_at_boundary();
   void swap_at_master(double s);
   void swap(double boundary, MotionState end);
@@ -205,87 +121,48 @@ class MotionAxis::Impl {
   // axis_moves.cpp: moves that the axis plans
   Rejection move_or_buffer(const BufferedMove& what);
   Rejection move(const BufferedMove& what);
+  Rejection move_on(const command::MoveAdditive& what);
+  Rejection superimpose(const command::MoveSuperimposed& what);
+  Rejection repeat(const command::MoveRepetitive& what);
   Rejection take_over(const Goal& goal);
-  Rejection superimpose(double distance, const MoveDynamics& dynamics);
   Rejection decouple();
   [[nodiscard]] MoveRules move_rules() const;
-  [[nodiscard]] Peaks beneath() const;
   bool go(const Goal& goal);
   bool adopt(const Goal& goal, double factor);
-  bool plan_from(const TimedState& from, const Goal& goal, double factor, double ahead = 0);
-  bool replan_move();
   void brake(double deceleration);
   void leave(Goal::Kind kind);
 
   // axis_buffer.cpp: commands that wait for a tick, and moves that wait for the present motion
   Rejection postpone(const Command& command);
   void obey_due();
-  void forget_later();
-  Rejection buffer(const BufferedMove& move);
-  [[nodiscard]] double through(const MotionState& from, const Goal& goal, double factor) const;
-  [[nodiscard]] bool passes() const;
-  Cause pass_target();
   Rejection take_back_next();
   void begin_next();
-  void forget(const WaitingMoves& moves);
-  void forget_next();
+  void note(const std::optional<Refusal>& why);
 
   // axis_ends.cpp: the end of a motion
   void conclude();
   void rest();
-  [[nodiscard]] Cause reason_to_rest() const;
   void freeze();
   void cut_off();
   void fail(Cause cause, double value = std::numeric_limits<double>::quiet_NaN());
   void drop_movement();
 
   AxisConfig config_;
-  AxisConfig unranged_;  // config_ without the position range
   State state_ = State::disabled;
   std::int64_t last_tick_ = -1;
   Inputs inputs_;
-  Jet last_master_ = Inputs{}.master;  // last value of the live master
+  RegisteredMaster master_;
+  AxisCoordinate coordinate_;
   Supervision windows_;
 
-  ArmedMotion armed_;
-  std::int64_t group_ = 0;  // group of the motion
-  GroupState groups_;
+  StartSlot slot_;
+  PlayedMotion motion_;
+  LaterCommand later_;  // the command that waits for its tick
 
-  Base base_ = Base::rest;
-  PathPlayer path_;
-  LivePlayer live_;
-  MovePlayer move_;
-  SuperimposedMove above_;                         // superimposed on the motion
-  WaitingMoves next_;                              // moves that wait for the end of the motion
-  std::optional<Command> later_;                   // the command that waits for its tick
-  std::optional<Repetition> repetition_;           // strokes of the move
-  std::optional<command::ChangeVelocity> change_;  // waits until the move passes its position
-
-  Ending ending_ = Ending::none;
-  double factor_ = 1;  // override
-  bool held_ = false;
-  std::int64_t begun_ = 0;             // tick at which the motion began
-  TimedState bare_;                    // the last output setpoint, without the superimposed move
-  bool joint_ = false;                 // true if one motion continues another in this tick
-  std::array<Jet, max_axes> parts_{};  // setpoints of the axes of a group
-  std::size_t part_count_ = 0;
-
-  std::optional<Homing> homing_;  // the homing in progress, until the axis is at rest
-
+  HomeSearch home_;  // runs until the axis is at rest
   TouchProbes probes_;
-  PositionHistory commanded_seen_, actual_seen_, master_seen_;
-  std::optional<LiveRegistration> registration_;
-  Jet phase_{};  // correction of the master that inputs_.master includes
-  std::optional<LiveCompensation> compensation_;
-  double in_feedback_ = 0;  // correction that the feedback of this tick includes
-
-  bool has_master_ = false;  // true from the start of a cam to the next table without a cam
-  std::array<std::size_t, 2> plane_axes_;
-  Outputs outputs_;
-  PathOutputs path_outputs_;  // outputs of the path of a group
-  PathWay path_way_;          // its length, for the position compare
-  bool compares_way_ = false;
-  Tick now_;
+  AxisOutputs outputs_;
+  Tick now_;  // the outputs, kept from tick to tick
 };
 
 }  // namespace jounce
