@@ -280,8 +280,8 @@ std::FILE* text_stream(bool json, std::initializer_list<std::string> files) {
   const bool taken = std::find(files.begin(), files.end(), "-") != files.end();
   if (json && taken)
     throw InputError("--json", "",
-                     "writes to standard output, and so does the output: name a file for the "
-                     "output, or leave out --json");
+                     "also writes to standard output: name a file in place of -, or leave out "
+                     "--json");
   return taken ? stderr : stdout;
 }
 

@@ -27,14 +27,14 @@ struct ConvertArguments {
   std::size_t intervals = 0;
   std::string every;
   std::string master_unit, position_unit;
-  bool periodic = false, decimal_comma = false;
-  bool allow_loss = false, json = false;
+  bool periodic = false, decimal_comma = false, allow_loss = false, json = false;
 };
 
 int run_convert(ConvertArguments options) {
   std::FILE* out = text_stream(options.json, {options.output});
   const TableForm form = table_form(options.to, options.output);
-  if (options.to.empty()) under_option("OUT", [&] { require_known_ending(options.output); });
+  if (options.to.empty())
+    under_option("OUT", [&] { require_known_ending(options.output, options.input); });
   require_other_file(options.input, options.output, "OUT");
   Input read =
       only_one(over(options.over, load_axes(options.input, options.axis, options.decimal_comma)),

@@ -458,8 +458,8 @@ toml::table spec_detail::parse_toml(const Document& document) {
                            " in the spec of its machine, a spec of kind \"path\", with gcode = "
                            "{ file = \"" +
                            (is_piped(document) ? "FILE" : document.name) +
-                           "\" }; or name that spec with --machine, an option of check, design, "
-                           "diff, plot, report, stream and validate")
+                           "\" }; or give that spec with --machine to check, design, diff, plot, "
+                           "report, stream or validate")
           .at(document.name, 1);
     if (!is_meant_as_spec(document))
       throw InputError("", "",

@@ -171,10 +171,12 @@ TEST(Conversion, ReadsItsFileEndings) {
   EXPECT_TRUE(has_known_ending("cam.csv"));
   EXPECT_TRUE(has_known_ending("-"));
   EXPECT_FALSE(has_known_ending("cam.pdf"));
-  EXPECT_EQ(
-      test::error_of([] { require_known_ending("cam.toml"); }),
-      "path = cam.toml: would be a spec, but this writes tables: to make the spec of a cam from "
-      "a table, use `jounce fit IN -o cam.toml`");
+  EXPECT_EQ(test::error_of([] { require_known_ending("cam.toml", "cam.csv"); }),
+            "path = cam.toml: would be a spec, but convert writes tables: to make the spec of a "
+            "cam, use `jounce fit cam.csv -o cam.toml`");
+  EXPECT_EQ(test::error_of([] { require_known_ending("b.toml", "a.toml"); }),
+            "path = b.toml: would be a spec, but convert writes tables: choose another ending, "
+            "such as .csv");
   EXPECT_THAT(known_endings(), HasSubstr(".csv, .json, ."));
 }
 
