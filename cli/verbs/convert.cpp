@@ -82,7 +82,8 @@ std::array<Option, 8> add_target_options(const Verb& verb, TargetTexts& texts) {
                   "The same for the velocity (of a cam: geo_velocity)"),
       verb.option("--most", texts.most,
                   "Maximum number of new knots; without a tolerance, the table with the smallest "
-                  "error, or close to it"),
+                  "error, or close to it")
+          .check(whole(1, 10'000'000)),
       verb.option("--spacing", texts.spacing, "Least distance between new knots"),
       verb.option("--resolution", texts.x_step,
                   "New knots at multiples of this, such as 1ms; for IN in counts: the size of a "

@@ -71,7 +71,7 @@ TEST(FileCheck, NeedsACouplingForItsStart) {
   const Input input = cam().front();
   EXPECT_FALSE(engage_state(input, {}).slave);
   EXPECT_THAT(error_of([&] { engage_state(input, {.master_velocity = "3"}); }),
-              HasSubstr("master_velocity: needs a spec with [coupling]"));
+              HasSubstr("master_velocity: applies to a spec with [coupling]"));
   Input over_time = cam().front();
   over_time.labels.over_master = false;
   EXPECT_THAT(error_of([&] { engage_state(over_time, {.master_velocity = "3"}); }),

@@ -124,9 +124,11 @@ void complete(Conversion& wanted, const TableForm& form, std::optional<Interpola
   wanted.rule = rule_for(form, rule, target.controller, table);
   wanted.format = form.format;
   wanted.given_counts = given.sizes;
-  if (target.any())
-    wanted.target =
-        target_of(target, table.axis(), *wanted.rule, given.input.labels.units, name_of);
+  if (!target.any()) return;
+  Units units = given.input.labels.units;
+  if (units.x.empty()) units.x = wanted.units.x;
+  if (units.position.empty()) units.position = wanted.units.position;
+  wanted.target = target_of(target, table.axis(), *wanted.rule, units, name_of);
 }
 
 }  // namespace jounce

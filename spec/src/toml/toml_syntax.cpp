@@ -253,6 +253,12 @@ InputError syntax_error(const Document& document, int line, int column,
   if (has("blank bare keys"))
     return error("", "", "the name of the section is missing between its brackets");
   if (has("saw '='")) return error("", "", "the name of the key is missing before the =");
+  if (pair.value.starts_with('=')) return error(pair.key, "", "has a second =: remove it");
+  if (has("expected keys, tables") && at < text.size())
+    return error("", "",
+                 "the line begins with " + printable(std::string(text.substr(at, 1))) +
+                     ", but must begin with a key, a section or a comment (#): check the brackets "
+                     "and quotes on the lines above");
   if (pair.value.size() > 1 && pair.value[0] == '.' && is_digit(pair.value[1]))
     return error(pair.key, pair.value, "needs a digit before its decimal point: 0" + pair.value);
   if (pair.value.starts_with('('))
