@@ -135,7 +135,7 @@ TEST(FileDifference, ALimitOfAnySectionIsADifference) {
       << "the comparison of the curves covers the segment";
   const std::string limits = "[limits]\ngeo_velocity = ";
   EXPECT_THAT(to_text(difference(rise + limits + "2\n", rise + limits + "3\n")),
-              testing::AllOf(HasSubstr("! limit geo_velocity: 2 -> 3"),
+              testing::AllOf(HasSubstr("! limit geo_velocity: 2 mm/deg -> 3 mm/deg"),
                              testing::Not(HasSubstr("limits.geo"))))
       << "reported once";
 }

@@ -95,7 +95,10 @@ std::string shown(const toml::node& node) {
     return "[" + all + "]";
   }
   if (const auto text = node.value_exact<std::string>()) return '"' + printable(*text) + '"';
-  if (const auto value = node.value_exact<double>()) return number(*value);
+  if (const auto value = node.value_exact<double>()) {
+    const std::string text = number(*value);
+    return text.find_first_not_of("-0123456789") == std::string::npos ? text + ".0" : text;
+  }
   std::ostringstream out;
   node.visit([&](const auto& value) { out << value; });
   return out.str();

@@ -253,6 +253,13 @@ InputError syntax_error(const Document& document, int line, int column,
   if (has("blank bare keys"))
     return error("", "", "the name of the section is missing between its brackets");
   if (has("saw '='")) return error("", "", "the name of the key is missing before the =");
+  const std::string_view raw = trimmed(text.substr(std::min(text.find('=') + 1, text.size())));
+  for (const char* dash : {"\u2212", "\u2013", "\u2014"})
+    if (raw.starts_with(dash))
+      return error(pair.key, "", "begins with a dash or a typographic minus: write the sign as -");
+  for (const char* quote : {"\u201c", "\u201d", "\u201e", "\u00ab", "\u2018", "\u2019"})
+    if (raw.starts_with(quote))
+      return error(pair.key, "", "has typographic quotes: write straight ones, \"...\"");
   if (pair.value.starts_with('=')) return error(pair.key, "", "has a second =: remove it");
   if (has("expected keys, tables") && at < text.size())
     return error("", "",
