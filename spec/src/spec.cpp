@@ -323,7 +323,8 @@ void refuse_other_kinds(TomlReader& top) {
              "run`");
   if (kind == "sweep")
     top.fail("kind", "\"sweep\"",
-             "is a sweep: start it with `jounce sweep`, or give the spec that it varies here");
+             "is a sweep: start it with `jounce sweep`, or give the spec that it varies" +
+                 (top.is_text("spec") ? ", " + top.text("spec") : ""));
 }
 
 void read_body(TomlReader& top, Spec& spec) {

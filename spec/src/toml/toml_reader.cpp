@@ -204,14 +204,15 @@ const toml::node& TomlReader::require(const char* key, const std::string& exampl
 }
 
 void TomlReader::refuse_below_header(const char* key) const {
-  if (!path_.empty() || !is_of_file(key)) return;
+  if (!path_.empty() || !(is_of_file(key) || key == std::string_view("start"))) return;
   for (const auto& [name, section] : *table_) {
     const toml::array* const all = section.as_array();
     const std::size_t count = all == nullptr ? 1 : all->size();
     for (std::size_t i = 0; i < count; ++i) {
       const toml::node& one = all == nullptr ? section : *all->get(i);
       const toml::node* const node = one.is_table() ? one.as_table()->get(key) : nullptr;
-      if (node == nullptr || !header_of(*node, key).empty()) continue;
+      const bool possible = is_of_file(key) || name.str() == "segment";
+      if (node == nullptr || !possible || !header_of(*node, key).empty()) continue;
       const std::string index = all == nullptr ? "" : "[" + std::to_string(i + 1) + "]";
       const auto at = place(node->source());
       const std::string section_key = std::string(name.str()) + index + "." + key;
@@ -578,7 +579,8 @@ void TomlReader::finish() {
   for (const auto& [key, node] : *table_) {
     if (known_.contains(std::string(key.str()))) continue;
     if (is_faulty(std::string(key.str()).c_str())) continue;  // has an error of its own
-    if (!path_.empty() && is_of_file(key.str())) {
+    if (!path_.empty() &&
+        (is_of_file(key.str()) || (key.str() == "start" && path_.starts_with("segment[")))) {
       refuse_here(std::string(key.str()).c_str(), below_header);
       continue;
     }

@@ -260,6 +260,9 @@ InputError syntax_error(const Document& document, int line, int column,
   for (const char* quote : {"\u201c", "\u201d", "\u201e", "\u00ab", "\u2018", "\u2019"})
     if (raw.starts_with(quote))
       return error(pair.key, "", "has typographic quotes: write straight ones, \"...\"");
+  if (has("expected a comment") && !pair.key.empty())
+    return error(pair.key, "",
+                 "has more text after its value: check the quotes, and begin a comment with #");
   if (pair.value.starts_with('=')) return error(pair.key, "", "has a second =: remove it");
   if (has("expected keys, tables") && at < text.size())
     return error("", "",
