@@ -128,6 +128,23 @@ std::string missing_option(const Options& given, const VerbInfo& verb) {
   return "";
 }
 
+/// The error of required words that are missing. The parser reports the first one: the required arguments that follow an
+/// argument are then missing, too, and so are the required options that are not among the words.
+std::string missing_words(const std::string& first, std::span<const char* const> given,
+                          const VerbInfo& verb) {
+  Options all;
+  bool missing = false;
+  for (const OptionInfo& one : verb.positionals) {
+    missing = missing || one.names.back() == first;
+    if (missing && one.required) all.push_back(&one);
+  }
+  const Options options = given_options(given, verb);
+  for (const OptionInfo& one : verb.options)
+    if (one.required && std::find(options.begin(), options.end(), &one) == options.end())
+      all.push_back(&one);
+  return all.size() < 2 ? first + " is missing" : listed(all) + " are missing";
+}
+
 /// The visible options of a verb; those of the program if it is null.
 std::vector<std::string> visible_options(const ProgramInfo& program, const VerbInfo* verb) {
   std::vector<std::string> names;
@@ -268,7 +285,8 @@ std::string wrong_option(std::span<const char* const> given,
   return excluding.empty() ? missing_option(all, *own) : excluding;
 }
 
-std::string parser_sentence(std::string text, bool extra) {
+std::string parser_sentence(std::string text, bool extra, std::span<const char* const> given,
+                            const VerbInfo* verb) {
   if (const std::string excludes = " excludes "; text.find(excludes) != std::string::npos)
     return text.replace(text.find(excludes), excludes.size(), " cannot be combined with ") +
            ": give one of the two";
@@ -278,8 +296,10 @@ std::string parser_sentence(std::string text, bool extra) {
   if (text.ends_with(valueless))
     return text.substr(0, text.size() - valueless.size()) + " has no value after it";
   const std::string required = " is required";
-  if (text.ends_with(required))
-    return text.substr(0, text.size() - required.size()) + " is missing";
+  if (text.ends_with(required)) {
+    const std::string first = text.substr(0, text.size() - required.size());
+    return verb == nullptr ? first + " is missing" : missing_words(first, given, *verb);
+  }
   if (const auto flag = text.find(" was given a disallowed flag override");
       flag != std::string::npos)
     return "--" + text.substr(0, flag) + " takes no value: write it alone, or leave it out";

@@ -249,7 +249,7 @@ void require_text(const std::string& path, const std::string& bytes, Archive arc
     fail_with("is a file of an old Office program: save its table as .xlsx or as CSV");
   if (bytes.starts_with("PK\x03\x04") && archive == Archive::rejected)
     fail_with(
-        "is a zip archive or a workbook: `jounce fit` and the key points of a spec read points "
+        "is a zip archive or a workbook: `jounce fit` and the key `points` of a spec read points "
         "from .xlsx; for any other use, save the table as CSV");
 }
 
@@ -280,8 +280,8 @@ std::FILE* text_stream(bool json, std::initializer_list<std::string> files) {
   const bool taken = std::find(files.begin(), files.end(), "-") != files.end();
   if (json && taken)
     throw InputError("--json", "",
-                     "writes to standard output, and so does the output: name a file for the "
-                     "output, or leave out --json");
+                     "standard output already receives another output: write that one to a file, "
+                     "or leave out --json");
   return taken ? stderr : stdout;
 }
 

@@ -69,9 +69,10 @@ std::string complaint(const CLI::App& app, const CLI::ParseError& error,
   const std::string given = words.front();
   const bool is_verb = given[0] != '-';
   const CLI::App& asked = is_verb ? *app.get_subcommand(given) : app;
-  constexpr auto extra = static_cast<int>(CLI::ExitCodes::ExtrasError);
   const std::string wrong = wrong_option(words, option_names(asked), program, is_verb ? given : "");
-  return (wrong.empty() ? parser_sentence(error.what(), error.get_exit_code() == extra) : wrong) +
+  const bool is_extra = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
+  const auto* const verb = program.verb(given);
+  return (wrong.empty() ? parser_sentence(error.what(), is_extra, words, verb) : wrong) +
          (is_verb ? " (see jounce " + given + " --help)" : all);
 }
 

@@ -44,8 +44,7 @@ void add_stream(CommandLine& line) {
       "jounce stream 300.toml --to knife --live --at-next-cut   another length from the next cut\n"
       "jounce stream xyz.toml --to x,y,z                        several axes in the same cycle\n"
       "jounce stream square.toml --to plotter                   a path, to a group of axes\n"
-      "jounce stream long.csv --to feeder --rolling             for a table longer than its "
-      "memory\n"
+      "jounce stream long.csv --to feeder --rolling             for a table beyond its memory\n"
       "jounce stream first.csv --to feeder --bank loop.csv --loops 20   two banks, the second 20 "
       "times");
   verb.option("FILE", options->file, "Spec, table or G-code; - is standard input").required();

@@ -51,7 +51,7 @@ int run_check(const CheckArguments& options) {
   if (!options.run.tolerances.empty() && options.run.baseline.empty() &&
       options.run.against.empty())
     throw InputError("--tolerance", options.run.tolerances.front(),
-                     "needs --baseline or --against: add one, or leave it out");
+                     "needs --baseline or --against: add one, or leave out --tolerance");
   if (options.run.files.size() == 1 && !options.check.limits.empty() &&
       is_without_motion(options.run.file()))
     throw InputError("--limit", options.check.limits.front(),

@@ -21,9 +21,7 @@ struct ContourArguments {
 
 int run_contour(const ContourArguments& options) {
   const Input input = load(options.spec);
-  if (!input.spec || !input.spec->is_cam())
-    throw InputError("SPEC", options.spec, "must be a spec of kind \"cam\" with [disc]");
-  const Spec& spec = *input.spec;
+  const Spec& spec = cam_with_disc(input, options.spec);
   const Disc disc = make_disc(spec, std::get<Cam>(*input.curve));
   const Report report = check_disc(spec, std::get<Cam>(*input.curve));
   if (cannot_be_cut(report) && !options.output.ends_with(".svg")) {

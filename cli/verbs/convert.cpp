@@ -27,14 +27,14 @@ struct ConvertArguments {
   std::size_t intervals = 0;
   std::string every;
   std::string master_unit, position_unit;
-  bool periodic = false, decimal_comma = false;
-  bool allow_loss = false, json = false;
+  bool periodic = false, decimal_comma = false, allow_loss = false, json = false;
 };
 
 int run_convert(ConvertArguments options) {
   std::FILE* out = text_stream(options.json, {options.output});
   const TableForm form = table_form(options.to, options.output);
-  if (options.to.empty()) under_option("OUT", [&] { require_known_ending(options.output); });
+  if (options.to.empty())
+    under_option("OUT", [&] { require_known_ending(options.output, options.input); });
   require_other_file(options.input, options.output, "OUT");
   Input read =
       only_one(over(options.over, load_axes(options.input, options.axis, options.decimal_comma)),
@@ -82,7 +82,8 @@ std::array<Option, 8> add_target_options(const Verb& verb, TargetTexts& texts) {
                   "The same for the velocity (of a cam: geo_velocity)"),
       verb.option("--most", texts.most,
                   "Maximum number of new knots; without a tolerance, the table with the smallest "
-                  "error, or close to it"),
+                  "error, or close to it")
+          .check(whole(1, 10'000'000)),
       verb.option("--spacing", texts.spacing, "Least distance between new knots"),
       verb.option("--resolution", texts.x_step,
                   "New knots at multiples of this, such as 1ms; for IN in counts: the size of a "

@@ -55,7 +55,7 @@ int run_design(const DesignArguments& options) {
     if (options.json)
       documents.emplace_back(input.axis, design_json(input, reports[i], file));
     else
-      fmt::print(out, "{}", design_text(input, reports[i]));
+      fmt::print(out, "{}", design_text(input, reports[i], file));
   }
   if (options.json) fmt::print(out, "{}\n", axes_json(documents));
   return FileCheck{reports}.ok() ? fine : finding;

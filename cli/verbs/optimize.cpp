@@ -119,8 +119,7 @@ void add_optimize(CommandLine& line) {
   verb.option("--against", options->against,
               "Spec of the drive that moves the cam, of kind \"drive\". Required if minimize names "
               "one of its figures: \"drive torque\", \"drive rms torque\", \"drive residual\", "
-              "\"drive following "
-              "error\", \"drive end following error\"");
+              "\"drive following error\", \"drive end following error\"");
   verb.option("--seconds", options->seconds,
               "Stop after this number of seconds with the best result so far");
   verb.flag("--json", options->json, "Outcome as JSON");

@@ -20,7 +20,8 @@ struct ReportArguments {
 };
 
 int run_report(const ReportArguments& options) {
-  require_other_file(options.file, options.output);
+  const std::string& out = options.output;
+  require_other_file(options.file, out);
   const std::vector<Input> axes = load_program(options.file, options.machine, options.axis);
   std::vector<std::string> read = files_of(axes);
   read.insert(read.end(), {options.page.proof.log, options.page.optimum});
@@ -30,8 +31,8 @@ int run_report(const ReportArguments& options) {
                                         {"--optimum", &options.page.optimum}})
       if (!value->empty()) throw InputError(option, *value, "is for one axis: name it with --axis");
     const auto [page, all] = report_page(axes, options.page);
-    write_file(options.output, html(page), read);
-    if (options.output != "-") fmt::print("{}: {}\n", page.title, page.verdict->text);
+    write_file(out, html(page), read);
+    if (out != "-") fmt::print("{}: {}\nwrote {}\n", page.title, page.verdict->text, out);
     return all.ok() ? fine : finding;
   }
   const Input& input = axes.front();
@@ -40,8 +41,8 @@ int run_report(const ReportArguments& options) {
   if (before) read.insert(read.end(), before->files.begin(), before->files.end());
   const auto [page, all] =
       with_option_names({"before"}, [&] { return report_page(input, before, options.page); });
-  write_file(options.output, html(page), read);
-  if (options.output != "-") fmt::print("{}: {}\n", input.name, one_line(all, input.labels));
+  write_file(out, html(page), read);
+  if (out != "-") fmt::print("{}: {}\nwrote {}\n", input.name, one_line(all, input.labels), out);
   return all.ok() ? fine : finding;
 }
 

@@ -137,7 +137,7 @@ class Tolerances {
       if (any_ && !used_[i])
         throw InputError("tolerance", texts_[i],
                          "fits none of the compared motions: use a quantity and a unit of one of "
-                         "them, or leave it out");
+                         "them, or leave out this tolerance");
   }
 
  private:

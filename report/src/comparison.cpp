@@ -2,6 +2,7 @@
 #include "jounce/report/comparison.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <tuple>
 #include <utility>
@@ -26,10 +27,6 @@ void scale(std::optional<double>& limit, double by) {
   if (limit) *limit *= by;
 }
 
-std::string text_of(const std::optional<double>& value) {
-  return value ? number(*value) : "";
-}
-
 /// Collects differences of text.
 class Remarks {
  public:
@@ -38,13 +35,18 @@ class Remarks {
   }
   /// Numbers, which a conversion of units may have rounded.
   void say(const std::string& what, const std::optional<double>& before,
-           const std::optional<double>& after, double scale = 0) {
+           const std::optional<double>& after, const std::string& unit, double scale = 0) {
     if (!before && !after) return;
     if (before && after) {
       const double size = std::max({scale, std::abs(*before), std::abs(*after)});
       if (std::abs(*before - *after) <= rounded_sum * size) return;
     }
-    all.push_back({what, text_of(before), text_of(after)});
+    const bool near = before && after && six_digits(*before) == six_digits(*after);
+    const auto text = [&](const std::optional<double>& value) {
+      if (!value) return std::string();
+      return (near ? number(*value) : six_digits(*value)) + (unit.empty() ? "" : " " + unit);
+    };
+    all.push_back({what, text(before), text(after)});
   }
 
   std::vector<Remark> all;
@@ -52,11 +54,13 @@ class Remarks {
 
 void say_limits(Remarks& remarks, const Limits& a, const Limits& b, const Labels& labels) {
   const auto& names = labels.over_master ? OverMaster::names : OverTime::names;
-  remarks.say("limit position_min", a.position_min, b.position_min);
-  remarks.say("limit position_max", a.position_max, b.position_max);
-  remarks.say(std::string("limit ") + names[1], a.velocity, b.velocity);
-  remarks.say(std::string("limit ") + names[2], a.acceleration, b.acceleration);
-  remarks.say(std::string("limit ") + names[3], a.jerk, b.jerk);
+  remarks.say("limit position_min", a.position_min, b.position_min, labels.units.position);
+  remarks.say("limit position_max", a.position_max, b.position_max, labels.units.position);
+  const std::array rates{&Limits::velocity, &Limits::acceleration, &Limits::jerk};
+  for (std::size_t i = 0; i < rates.size(); ++i) {
+    const std::string name(names[i + 1]);
+    remarks.say("limit " + name, a.*rates[i], b.*rates[i], labels.unit_of(name));
+  }
 }
 
 template <class Over>
@@ -64,8 +68,8 @@ std::vector<Remark> remarks_of(const Curve<Over>& a, const Curve<Over>& b, const
                                const Version& after, const Units& old_units) {
   Remarks remarks;
   const double scale = std::max({std::abs(a.start()), std::abs(a.end()), b.length()});
-  remarks.say("start", a.start(), b.start(), scale);
-  remarks.say("end", a.end(), b.end(), scale);
+  remarks.say("start", a.start(), b.start(), after.labels.units.x, scale);
+  remarks.say("end", a.end(), b.end(), after.labels.units.x, scale);
   remarks.say("outside", name(a.outside()), name(b.outside()));
   const Units& units = after.labels.units;
   const char* axis = after.labels.over_master ? "unit of the master" : "unit of the time";
@@ -100,8 +104,8 @@ std::optional<Remark> table_remark(const Version& before, const Version& after,
   const Comparison tables = compare(version_of_table(before), version_of_table(after), tolerance);
   if (tables.equal()) return std::nullopt;
   const auto text = [](const Version& version) {
-    return jounce::counted(version.table->size(), "knot") +
-           (version.table_options.empty() ? "" : ", " + version.table_options);
+    return jounce::counted(version.table->size(), "knot") + ", " +
+           (version.table_options.empty() ? name(version.table->rule()) : version.table_options);
   };
   const Extremum& largest = tables.changes[0].largest;
   return Remark{"[table]", text(before),

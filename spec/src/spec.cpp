@@ -319,12 +319,12 @@ void refuse_other_kinds(TomlReader& top) {
   const auto kind = top.optional_text("kind");
   if (kind == "machine")
     top.fail("kind", "\"machine\"",
-             "is a machine, which has no motion of its own: give the spec of a motion here. "
-             "`jounce run` "
-             "runs a machine, without other specs");
+             "is a machine, which has no motion of its own: use it with `jounce check` and `jounce "
+             "run`");
   if (kind == "sweep")
     top.fail("kind", "\"sweep\"",
-             "is a sweep: start it with `jounce sweep`, or give the spec that it varies here");
+             "is a sweep: start it with `jounce sweep`, or give the spec that it varies" +
+                 (top.is_text("spec") ? ", " + top.text("spec") : ""));
 }
 
 void read_body(TomlReader& top, Spec& spec) {
@@ -359,6 +359,12 @@ void read_body(TomlReader& top, Spec& spec) {
 }  // namespace
 
 void spec_detail::require_version(TomlReader& top) {
+  try {
+    if (!top.has("jounce")) top.refuse_misspelt("jounce");
+    if (!top.has("jounce")) top.refuse_below_header("jounce");
+  } catch (const InputError& error) {
+    top.end_all(error);
+  }
   if (!top.has("jounce"))
     top.fail_all("jounce", "",
                  "is missing: a spec begins with `jounce = 1`, the version of its format");
@@ -414,6 +420,8 @@ void require_spec_text(const Document& document) {
             ? "is an array of NumPy, which Jounce writes but does not read: save it as CSV"
             : "is not a text file: it has a zero byte here")
         .at(document.name, line_number(text, at));
+  if (document.name.ends_with(".dxf") || document.name.ends_with(".svg"))
+    throw InputError("", "", "is a drawing, not a spec: give a spec").at(document.name, 1);
   if (is_table(text) || exchange_format_of_text(text) != nullptr)
     throw InputError("", "", "is a table, not a spec: give a spec").at(document.name, 1);
   if (text.find_first_not_of(" \t\r\n") == std::string::npos)
@@ -432,7 +440,9 @@ bool is_piped(const Document& document) {
 /// The error of a file of points in place of a spec or a table.
 InputError points_alone(const Document& document) {
   const Points points = parse_points(document.text, document.name);  // throws: a column is twice
-  const bool over_time = points.find("time") != nullptr;
+  const bool over_time = std::ranges::any_of(points.columns, [](const PointColumn& column) {
+    return column.name == "time" || column.name.starts_with("time ");
+  });
   return InputError("", "",
                     "has points only, without the header of a Jounce table: write " +
                         std::string(is_piped(document) ? "the points to a file, and " : "") +
@@ -458,8 +468,8 @@ toml::table spec_detail::parse_toml(const Document& document) {
                            " in the spec of its machine, a spec of kind \"path\", with gcode = "
                            "{ file = \"" +
                            (is_piped(document) ? "FILE" : document.name) +
-                           "\" }; or name that spec with --machine, an option of check, design, "
-                           "diff, plot, report, stream and validate")
+                           "\" }; or give that spec with --machine to check, design, diff, plot, "
+                           "report, stream or validate")
           .at(document.name, 1);
     if (!is_meant_as_spec(document))
       throw InputError("", "",

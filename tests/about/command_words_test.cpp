@@ -146,6 +146,20 @@ TEST(CommandWords, TranslateTheSentencesOfTheParser) {
   EXPECT_EQ(parser_sentence("--a: At Most 1 required but received 2", false), "--a is given twice");
   EXPECT_EQ(parser_sentence("--a: 1 required value missing", false), "--a has no value after it");
   EXPECT_EQ(parser_sentence("FILE is required", false), "FILE is missing");
+  const VerbInfo fit{"fit",
+                     "",
+                     {},
+                     {{.names = {"IN"}, .required = true},
+                      {.names = {"OUT"}, .required = true},
+                      {.names = {"MORE"}}},
+                     {{.names = {"-l", "--log"}, .required = true}, {.names = {"--json"}}}};
+  const auto missing = [&](const char* first, const std::vector<const char*>& given) {
+    return parser_sentence(std::string(first) + " is required", false, given, &fit);
+  };
+  EXPECT_EQ(missing("IN", {"fit"}), "IN, OUT and --log are missing");
+  EXPECT_EQ(missing("OUT", {"fit", "a"}), "OUT and --log are missing");
+  EXPECT_EQ(missing("OUT", {"fit", "a", "-l", "x"}), "OUT is missing");
+  EXPECT_EQ(missing("--log", {"fit", "a", "b"}), "--log is missing");
   EXPECT_EQ(parser_sentence("force was given a disallowed flag override", false),
             "--force takes no value: write it alone, or leave it out");
   EXPECT_EQ(parser_sentence("other", false), "other");

@@ -212,7 +212,7 @@ TEST_F(Files, StandardOutputTakesOneOutput) {
   EXPECT_THAT(test::error_of([] {
                 (void)text_stream(true, {"a.csv", "-"});
               }),
-              ::testing::StartsWith("--json: writes to standard output, and so does the output: "));
+              ::testing::StartsWith("--json: standard output already receives another output: "));
 }
 
 TEST_F(Files, NameWhatIsNoText) {

@@ -71,7 +71,7 @@ TEST(FileCheck, NeedsACouplingForItsStart) {
   const Input input = cam().front();
   EXPECT_FALSE(engage_state(input, {}).slave);
   EXPECT_THAT(error_of([&] { engage_state(input, {.master_velocity = "3"}); }),
-              HasSubstr("master_velocity: needs a spec with [coupling]"));
+              HasSubstr("master_velocity: applies to a spec with [coupling]"));
   Input over_time = cam().front();
   over_time.labels.over_master = false;
   EXPECT_THAT(error_of([&] { engage_state(over_time, {.master_velocity = "3"}); }),
@@ -135,7 +135,7 @@ TEST(FileDifference, ALimitOfAnySectionIsADifference) {
       << "the comparison of the curves covers the segment";
   const std::string limits = "[limits]\ngeo_velocity = ";
   EXPECT_THAT(to_text(difference(rise + limits + "2\n", rise + limits + "3\n")),
-              testing::AllOf(HasSubstr("! limit geo_velocity: 2 -> 3"),
+              testing::AllOf(HasSubstr("! limit geo_velocity: 2 mm/deg -> 3 mm/deg"),
                              testing::Not(HasSubstr("limits.geo"))))
       << "reported once";
 }
@@ -171,10 +171,12 @@ TEST(Conversion, ReadsItsFileEndings) {
   EXPECT_TRUE(has_known_ending("cam.csv"));
   EXPECT_TRUE(has_known_ending("-"));
   EXPECT_FALSE(has_known_ending("cam.pdf"));
-  EXPECT_EQ(
-      test::error_of([] { require_known_ending("cam.toml"); }),
-      "path = cam.toml: would be a spec, but this writes tables: to make the spec of a cam from "
-      "a table, use `jounce fit IN -o cam.toml`");
+  EXPECT_EQ(test::error_of([] { require_known_ending("cam.toml", "cam.csv"); }),
+            "path = cam.toml: would be a spec, but convert writes tables: to make the spec of a "
+            "cam, use `jounce fit cam.csv -o cam.toml`");
+  EXPECT_EQ(test::error_of([] { require_known_ending("b.toml", "a.toml"); }),
+            "path = b.toml: would be a spec, but convert writes tables: choose another ending, "
+            "such as .csv");
   EXPECT_THAT(known_endings(), HasSubstr(".csv, .json, ."));
 }
 

@@ -110,7 +110,7 @@ TEST(GearCourse, RejectsContradictions) {
   EXPECT_EQ(words({.master_start = 5, .master_end = 5}),
             "master_end = 5: must be greater than master_start, 5");
   EXPECT_EQ(words({.master_end = 50, .changes = {{0, 1, 20}, {10, 2, 5}}}),
-            "change[2].at = 10: must not lie before 20, the end of the previous change");
+            "change[2].at = 10: must be at least 20, the end of the previous change");
   EXPECT_EQ(words({.master_end = 50, .changes = {{40, 1, 20}}}),
             "change[1].distance = 20: must be at most 10: the change begins at 40 and must end at "
             "or before "

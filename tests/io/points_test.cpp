@@ -185,8 +185,8 @@ TEST(Points, ConvertOnlyWhatMeasuresTheSame) {
 }
 
 TEST(Points, AreKnownByTheirFirstLine) {
-  for (const char* text :
-       {"time [s];position [mm]\n0;0\n", "# measured\n\nTime,Position\n", "a\tb"})
+  for (const char* text : {"time [s];position [mm]\n0;0\n", "# measured\n\nTime,Position\n", "a\tb",
+                           "time s,velocity mm/s^2\n"})
     EXPECT_TRUE(begins_as_points(text)) << text;
   for (const char* text :
        {"", "time\n0\n", "0;0\n", "jounce = 1, 2\n", "[a, b]\n", "kind, = \"cam\""})

@@ -66,8 +66,8 @@ TEST(Comparison, NamesChangedTexts) {
   EXPECT_FALSE(c.equal());
   const std::string text = to_text(c);
   EXPECT_THAT(text, HasSubstr("! outside: hold -> refuse"));
-  EXPECT_THAT(text, HasSubstr("! limit position_max: 60 -> none"));
-  EXPECT_THAT(text, HasSubstr("! limit geo_velocity: 1 -> 1.5"));
+  EXPECT_THAT(text, HasSubstr("! limit position_max: 60 mm -> none"));
+  EXPECT_THAT(text, HasSubstr("! limit geo_velocity: 1 mm/deg -> 1.5 mm/deg"));
   after.limits = std::nullopt;
   EXPECT_THAT(to_text(compare(before, after)), Not(HasSubstr("limit")));
 }

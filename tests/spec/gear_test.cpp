@@ -169,7 +169,7 @@ TEST(GearSpec, RejectsInTheWordsOfTheDocument) {
   EXPECT_THAT(
       refusal(distance + "distance = 10\n[[gear.change]]\nat = 5\nnumerator = 2\n"
                          "distance = 1\n"),
-      testing::StartsWith("g.toml:10:6: gear.change[1].at = 5 deg: must not lie before 10"));
+      testing::StartsWith("g.toml:10:6: gear.change[1].at = 5 deg: must be at least 10 deg"));
   EXPECT_THAT(refusal(distance + "distance = 10\nmaster_period = 3\n"),
               testing::HasSubstr("master_period"));
 }

@@ -621,9 +621,11 @@ INSTANTIATE_TEST_SUITE_P(
                   "a.toml:10:10: move.jounce = \"1 mm/s^3\": mm/s^3 is not a unit of this "
                   "quantity: give the value in mm/s^4"},
         BadMotion{move_spec(trap),
-                  "a.toml:3:22: units.position = \"mm\": must be pulse for the profiles of Googol"},
+                  "a.toml:3:22: units.position = \"mm\": must be pulse for the profiles of Googol: "
+                  "give position = \"pulse\" in units"},
         BadMotion{move_spec(trap, "", "position = \"pulse\""),
-                  "a.toml:3:9: units.time = \"s\": must be ms for the profiles of Googol"},
+                  "a.toml:3:9: units.time = \"s\": must be ms for the profiles of Googol: give "
+                  "time = \"ms\" in units"},
         BadMotion{move_spec(trap + "smooth_time = 51", "", pulse_ms),
                   "a.toml:9:15: move.smooth_time = 51 ms: must be between 0 and 50 ms"},
         BadMotion{move_spec(trap + "smooth_time = 2.5", "", pulse_ms),
@@ -634,7 +636,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadMotion{move_spec("profile = \"googol_jog\"\nacc = 1", "", pulse_ms),
                   "a.toml:4:1: move.velocities: is missing: a jog needs at least one velocity"},
         BadMotion{move_spec(agito_lines, "", "position = \"um\", time = \"ms\""),
-                  "a.toml:3:35: units.time = \"ms\": must be s for the profiles of Agito"},
+                  "a.toml:3:35: units.time = \"ms\": must be s for the profiles of Agito: give "
+                  "time = \"s\" in units"},
         BadMotion{move_spec(agito_lines + "jerk = 10"),
                   "a.toml:9:8: move.jerk = 10: must be between 0 and 9"},
         BadMotion{
@@ -711,12 +714,12 @@ INSTANTIATE_TEST_SUITE_P(
         BadMotion{"jounce = 1\nkind = \"axes\"\nunits = { position = \"mm\" }\n"
                   "axis = [{ name = \"x\", to = 1, velocity = 1, acceleration = 1 }]\n"
                   "[norm]\nvelocity = 1\n",
-                  "a.toml:5:1: [norm]: applies only to a motion through [[point]]: add "
-                  "[[point]], or leave it out"},
+                  "a.toml:5:1: [norm]: applies only to a motion through [[point]]: leave out norm, "
+                  "or add [[point]]"},
         BadMotion{
             with(axes_spec, "jounce = 1\n", "jounce = 1\ntimes = \"shortest\"\n"),
-            "a.toml:2:9: times = \"shortest\": applies only to a motion through [[point]]: add "
-            "[[point]], or leave it out"},
+            "a.toml:2:9: times = \"shortest\": applies only to a motion through [[point]]: leave "
+            "out times, or add [[point]]"},
         BadMotion{"jounce = 1\nkind = \"axes\"\nunits = { position = \"mm\" }\n"
                   "axis = [{ name = \"x\", velocity = 1, acceleration = 1 }]\n"
                   "point = [{ position = [1] }, { position = [1, 2] }]\n",

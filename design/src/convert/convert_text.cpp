@@ -259,12 +259,15 @@ bool has_known_ending(const std::string& path) {
          path == "-";
 }
 
-void require_known_ending(const std::string& path) {
+void require_known_ending(const std::string& path, const std::string& input) {
   if (path.ends_with(".toml"))
     throw InputError("path", path,
-                     "would be a spec, but this writes tables: to make the spec of a cam from a "
-                     "table, use `jounce fit IN -o " +
-                         path + "`");
+                     input.ends_with(".toml")
+                         ? "would be a spec, but convert writes tables: choose another ending, "
+                           "such as .csv"
+                         : "would be a spec, but convert writes tables: to make the spec of a cam, "
+                           "use `jounce fit " +
+                               input + " -o " + path + "`");
   if (!has_known_ending(path))
     throw InputError("path", path,
                      "must end in one of " + known_endings() +

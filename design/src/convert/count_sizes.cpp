@@ -32,7 +32,7 @@ class Size {
 
 /// A column of the input, and the text of the size of its counts.
 struct CountColumn {
-  const char* key;
+  const char *key, *unit_option;
   std::string& text;
   std::string& unit;  ///< unit of the column
   const std::string& wanted;
@@ -46,6 +46,12 @@ struct CountColumn {
 /// The size of a count, and the unit of the column; nullopt if the text is not the size of a count.
 std::optional<Size> take_size(CountColumn& column) {
   const std::string own(quantity_unit(column.text));
+  if (column.unit.empty() && column.read == Numbers::of_unit && column.wanted.empty() &&
+      is_unit(own))
+    throw InputError(column.key, column.text,
+                     "is not the size of a count: the file has no counts in this column, and names "
+                     "no unit for it. Add " +
+                         std::string(column.unit_option) + " " + own);
   if (!column.has_counts() || !is_unit(own) || is_convertible(own, "count")) return std::nullopt;
   const std::string to = is_unit(column.wanted) ? column.wanted : own;
   double factor = 0;
@@ -90,13 +96,15 @@ CountedInput in_units_of_counts(Input input, TargetTexts& sizes, const Units& un
     return of != nullptr ? of->*column : Numbers::of_unit;
   };
   TableFile file = input.table;
-  const auto column = [&](const char* key, std::string& text, std::string& unit,
+  const auto column = [&](const char* key, const char* option, std::string& text, std::string& unit,
                           const std::string& wanted, Numbers ExchangeFormat::*of) {
-    return CountColumn{key, text, unit, wanted, numbers(input.format, of), numbers(format, of)};
+    return CountColumn{
+        key, option, text, unit, wanted, numbers(input.format, of), numbers(format, of)};
   };
-  CountColumn master = column("x_step", sizes.x_step, file.units.x, units.x, &ExchangeFormat::x);
-  CountColumn position =
-      column("p_step", sizes.p_step, file.units.position, units.position, &ExchangeFormat::p);
+  CountColumn master =
+      column("x_step", "--master-unit", sizes.x_step, file.units.x, units.x, &ExchangeFormat::x);
+  CountColumn position = column("p_step", "--position-unit", sizes.p_step, file.units.position,
+                                units.position, &ExchangeFormat::p);
   const std::optional<Size> x = take_size(master), p = take_size(position);
   if (!x && !p) return {std::move(input)};
   std::string text = "in the input, 1 count is ";
@@ -116,9 +124,11 @@ void complete(Conversion& wanted, const TableForm& form, std::optional<Interpola
   wanted.rule = rule_for(form, rule, target.controller, table);
   wanted.format = form.format;
   wanted.given_counts = given.sizes;
-  if (target.any())
-    wanted.target =
-        target_of(target, table.axis(), *wanted.rule, given.input.labels.units, name_of);
+  if (!target.any()) return;
+  Units units = given.input.labels.units;
+  if (units.x.empty()) units.x = wanted.units.x;
+  if (units.position.empty()) units.position = wanted.units.position;
+  wanted.target = target_of(target, table.axis(), *wanted.rule, units, name_of);
 }
 
 }  // namespace jounce

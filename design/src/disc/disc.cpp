@@ -44,6 +44,15 @@ Disc make_disc(const Spec& spec, const Cam& cam) {
   return placed(spec, [&] { return Disc(cam, part.geometry); });
 }
 
+const Spec& cam_with_disc(const Input& input, const std::string& file) {
+  if (!input.spec) throw InputError("SPEC", file, "is a table: give the spec of a cam with [disc]");
+  const Spec& spec = *input.spec;
+  if (!spec.is_cam())
+    throw spec.document.located(InputError("kind", '"' + spec_kind(spec.document.text) + '"',
+                                           "must be \"cam\": only a cam has a plate ([disc])"));
+  return spec;
+}
+
 Report check_disc(const Spec& spec, const Cam& cam) {
   const Disc disc = make_disc(spec, cam);
   Report report = placed(spec, [&] { return check(disc, spec.disc->limits); });

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "jounce/profiles/detail/six_digits.hpp"
+
 namespace jounce {
 namespace {
 
@@ -25,7 +27,7 @@ std::string fewest_text(const Input& input) {
 
 }  // namespace
 
-std::string design_text(const Input& input, const Report& report) {
+std::string design_text(const Input& input, const Report& report, const std::string& file) {
   const Table& table = input.table.table;
   const Units& units = input.labels.units;
   std::string text =
@@ -45,7 +47,11 @@ std::string design_text(const Input& input, const Report& report) {
   if (!report.ok()) text += fmt::format("jounce check: {}\n", one_line(report, input.labels));
   if (const std::string rest = not_limited_text(report, input.labels); !rest.empty())
     text += rest + "\n";
-  return text + fmt::format("sha256 {}\n", hex(content_hash(table, units)));
+  text += fmt::format("sha256 {}\n", hex(content_hash(table, units)));
+  if (!report.ok() && file != "-")
+    text += fmt::format("wrote {}, although the motion breaks {}\n", file,
+                        counted(report.broken(), "rule"));
+  return text;
 }
 
 std::string design_json(const Input& input, const Report& report, const std::string& file) {

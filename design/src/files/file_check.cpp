@@ -164,13 +164,14 @@ EngageState engage_state(const Input& input, const EngageTexts& texts) {
                         std::optional<double>& value) {
     if (text.empty()) return;
     if (!input.spec || !input.spec->coupling)
-      throw InputError(key, text,
-                       std::string(key) != "master_velocity"
-                           ? "needs a spec with [coupling]: leave it out, or add [coupling]"
-                       : input.labels.over_master
-                           ? "needs a spec with [coupling], or a limit over time: leave it out, or "
-                             "add --limit velocity, acceleration or jerk"
-                           : "applies to a cam, and this motion is over time: leave it out");
+      throw InputError(
+          key, text,
+          std::string(key) != "master_velocity"
+              ? "applies to a spec with [coupling]: add [coupling], or leave out this option"
+          : input.labels.over_master
+              ? "applies to a spec with [coupling], or to a limit over time: add --limit "
+                "velocity, acceleration or jerk, or leave out this option"
+              : "applies to a cam, and this motion is over time: leave it out");
     try {
       value = quantity(text, unit);
     } catch (const InputError& error) {

@@ -31,9 +31,9 @@ std::vector<Input> cams_of(const std::string& text, const std::string& name, boo
 }  // namespace
 
 std::vector<Input> read_inputs(const std::string& path, bool decimal_comma) {
+  std::string text = read_file(path);
   if (path.ends_with(".dxf") || path.ends_with(".svg"))
     throw InputError("", "", "is a drawing: `jounce fit` makes the spec of a cam from it").at(path);
-  std::string text = read_file(path);
   if (is_finished_table(text, path)) return table_inputs(text, path, decimal_comma);
   return inputs_of(parse_spec(std::move(text), name_of(path)), path);
 }

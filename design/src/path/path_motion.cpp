@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "jounce/path/detail/tool_unit.hpp"
 #include "jounce/path/override.hpp"
 #include "jounce/path/refine.hpp"
 #include "jounce/profiles/error.hpp"
@@ -89,7 +90,7 @@ InputError named(const InputError& error, const PathSpec& path) {
     return InputError(key + " (" + machine.axes[i].name + ")", error.value() + unit,
                       error.rule() + (last >= '0' && last <= '9' ? unit : ""));
   }
-  return InputError(error.key(), error.value(), error.rule());
+  return in_unit_of_tool(error, machine.axes.empty() ? "" : machine.axes.front().unit);
 }
 
 /// Calls `make`; its errors get the source of the path.
@@ -103,9 +104,10 @@ auto in_source(const PathSpec& path, const Make& make) {
   try {
     return make();
   } catch (const InputError& error) {
-    if (error.key() == "start") throw InputError("path.start", error.value(), error.rule());
+    const InputError placed = named(error, path);
+    if (placed.key() == "start") throw InputError("path.start", placed.value(), placed.rule());
     if (error.line() == 0) throw;
-    throw named(error, path).at(path.source, error.line());
+    throw InputError(placed.key(), placed.value(), placed.rule()).at(path.source, error.line());
   }
 }
 

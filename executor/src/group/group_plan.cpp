@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <string>
-#include <string_view>
 #include <utility>
 
 #include "jounce/base/detail/listed.hpp"
+#include "jounce/path/detail/tool_unit.hpp"
 #include "jounce/path/direct.hpp"
 #include "jounce/profiles/detail/six_digits.hpp"
 #include "jounce/profiles/error.hpp"
@@ -133,20 +133,6 @@ Point axes_at(const Point& coordinates, const ExecutorGroup& group) {
   for (std::size_t k = 0; k < map.joints(); ++k) axes[k] = joints[k][0];
   return axes;
 }
-
-namespace {
-
-/// The error of a place on the path that the joints cannot take, with the unit of its numbers.
-InputError in_unit_of_tool(const InputError& error, const std::string& unit) {
-  if (unit.empty() || (error.key() != "point" && error.key() != "start")) return error;
-  std::string rule = error.rule();
-  constexpr std::string_view place = " along the path";
-  if (const std::size_t at = rule.find(place); at != std::string::npos) rule.insert(at, " " + unit);
-  return InputError(error.key(), error.value() + " " + unit, rule)
-      .at(error.document(), error.line());
-}
-
-}  // namespace
 
 GroupProgram checked_program(std::shared_ptr<const Plan> plan, const ExecutorGroup& group) {
   GroupProgram made = group_program(std::move(plan), group.configs, group.names, group.units);

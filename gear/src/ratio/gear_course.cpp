@@ -63,7 +63,7 @@ void require_inside(const GearCourse& c, const char* list, std::size_t i, double
   require_finite(entry_key(list, i, "distance").c_str(), distance);
   if (at < c.master_start)
     throw InputError(entry_key(list, i, "at"), at,
-                     "must not lie before the start, " + number(c.master_start));
+                     "must be at least " + number(c.master_start) + ", the start");
   if (at + distance > c.master_end)
     throw InputError(entry_key(list, i, "distance"), distance,
                      "must be at most " + number(c.master_end - at) + ": the change begins at " +
@@ -96,7 +96,7 @@ Chain ratios(const GearCourse& c) {
     if (change.at < chain.x)
       throw InputError(
           entry_key("change", i, "at"), change.at,
-          "must not lie before " + six_digits(chain.x) + ", the end of the previous change");
+          "must be at least " + six_digits(chain.x) + ", the end of the previous change");
     chain.run_to(change.at, ratio, name_of(ratio));
     if (change.distance > 0) add_clutch(chain, ratio, change, entry_key("change", i, "law"));
     ratio = change.ratio;

@@ -375,7 +375,8 @@ bool begins_as_points(std::string_view text) {
   }
   const auto is_name = [](const PointColumn& column) {
     return std::all_of(column.name.begin(), column.name.end(), [](unsigned char c) {
-      return std::isalpha(c) != 0 || c == '_' || c == ' ';
+      return std::isalnum(c) != 0 ||
+             std::string_view("_ /^").find(static_cast<char>(c)) != std::string_view::npos;
     });
   };
   return points.columns.size() > 1 &&

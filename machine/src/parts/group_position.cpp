@@ -31,6 +31,13 @@ struct GroupPlaces {
   std::vector<double> start;  ///< start position of each joint
 };
 
+/// The error of a file that is not a spec of a machine.
+[[noreturn]] void refuse_other_kind(const std::string& file) {
+  const Spec spec = read_spec(file);
+  throw spec.document.located(InputError("kind", '"' + spec_kind(spec.document.text) + '"',
+                                         "must be \"machine\": only its groups have kinematics"));
+}
+
 const MachineSpec::Group& group_named(const MachineSpec& machine, const std::string& name) {
   std::vector<std::string> names;
   for (const MachineSpec::Group& group : machine.groups) names.push_back(group.name);
@@ -269,7 +276,7 @@ std::string ConvertedPosition::json() const {
 ConvertedPosition converted_position(const std::string& file, const std::string& group,
                                      const std::vector<std::string>& values) {
   const auto machine = read_machine(file);
-  if (!machine) throw InputError("FILE", file, "must be a spec of kind \"machine\"");
+  if (!machine) refuse_other_kind(file);
   const GroupPlaces places = places_of(*machine, group_named(*machine, group));
   const std::vector<NamedValue> given = named(values);
   const bool to_tool = std::ranges::any_of(given, [&](const NamedValue& one) {

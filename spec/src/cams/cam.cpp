@@ -190,7 +190,7 @@ void require_last_knot(TomlReader& top, const Units& units) {
     return;
   }
   if (!to || !from || *to > *from) return;
-  const bool turn = top.optional_flag("periodic").value_or(false);
+  const bool turn = *to < *from && top.optional_flag("periodic").value_or(false);
   end->fail("master", number(*to),
             "must be greater than " + number(*from) + ", the previous knot" +
                 (turn ? ": the last knot of a periodic cam is the end of its turn" : ""));

@@ -72,8 +72,12 @@ SyncSpec read_shear(TomlReader shear, Spec& spec) {
 Indexer read_indexer(TomlReader indexer, const Units& units) {
   Indexer made;
   made.distance = indexer.number("distance", units.position);
-  made.cycle = indexer.number("cycle", units.x);
-  made.motion = indexer.number("motion", units.x);
+  const auto positive = [&](const char* key) {
+    const auto given = indexer.optional_positive(key, units.x);
+    return given ? *given : indexer.number(key, units.x);  // reports a missing key
+  };
+  made.cycle = positive("cycle");
+  made.motion = positive("motion");
   made.before = indexer.optional_number("before", units.x).value_or(0);
   if (const auto count = indexer.optional_count("count")) {
     if (*count < 1 || *count > 100'000)
@@ -82,7 +86,6 @@ Indexer read_indexer(TomlReader indexer, const Units& units) {
   }
   made.law = read_law(indexer, "law").value_or(made.law);
   made.form = read_form(indexer);
-  if (!(made.cycle > 0)) indexer.fail("cycle", number(made.cycle), "must be greater than 0");
   indexer.finish();
   return made;
 }

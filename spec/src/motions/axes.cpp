@@ -159,8 +159,8 @@ AxesSpec read_axes(TomlReader& top, Spec& spec) {
   }
   if (!through_points) {
     for (const char* key : {"times", "norm"})
-      top.refuse_here(key,
-                      "applies only to a motion through [[point]]: add [[point]], or leave it out");
+      top.refuse_here(key, "applies only to a motion through [[point]]: leave out " +
+                               std::string(key) + ", or add [[point]]");
     if (const auto sync = top.optional_choice("sync", syncs)) axes.sync = static_cast<Sync>(*sync);
     axes.duration = top.optional_number("duration", spec.units.x).value_or(0);
     if (!(axes.duration >= 0)) top.fail("duration", number(axes.duration), "must not be negative");
@@ -176,6 +176,7 @@ AxesSpec read_axes(TomlReader& top, Spec& spec) {
         axis.refuse_here(key, "does not apply to a motion through [[point]]: leave it out");
     axis.finish();
   });
+  top.refuse_misspelt("axis");  // if an axis is missing, all lists of positions are too long
   if (axes.axes.empty()) top.fail("axis", "", "is missing: add [[axis]] for each axis");
   if (axes.shortest_times) {
     axes.points = read_positions(top, spec.axes);

@@ -20,7 +20,8 @@ void require_unit(const char* key, const std::string& given, const std::string& 
   }();
   if (!same)
     throw InputError(std::string("units.") + key, '"' + given + '"',
-                     "must be " + wanted + " for the profiles of " + who);
+                     "must be " + wanted + " for the profiles of " + who + ": give " + key +
+                         " = \"" + wanted + "\" in units");
 }
 
 namespace {

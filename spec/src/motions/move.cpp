@@ -15,8 +15,8 @@ MoveSpec read_trapezoid(MotionFields& f) {
   TrapezoidSpec t;
   f.may("from", 0, t.from);
   f.need("to", 0, t.to);
-  f.need("velocity", 1, t.velocity);
-  f.need("acceleration", 2, t.acceleration);
+  f.need_positive("velocity", 1, t.velocity);
+  f.need_positive("acceleration", 2, t.acceleration);
   f.may("deceleration", 2, t.deceleration);
   return t;
 }
@@ -25,17 +25,16 @@ MoveSpec read_trapezoid(MotionFields& f) {
 /// acceleration increases from 0. In each half, jerk = acceleration / smoothing (Googol smoothTime,
 /// HMPL SetSmoothTime).
 void read_jerk(MotionFields& f, SCurveSpec& s) {
-  const auto jerk = f.optional("jerk", 3);
-  const auto smoothing = f.optional_time("smoothing");
-  const auto deceleration_jerk = f.optional("deceleration_jerk", 3);
   TomlReader& move = f.reader();
+  const auto jerk = move.optional_positive("jerk", f.unit(3));
+  const auto smoothing = move.optional_positive("smoothing", f.units().x);
+  const auto deceleration_jerk = move.optional_positive("deceleration_jerk", f.unit(3));
   if (jerk.has_value() == smoothing.has_value())
     move.fail("jerk", "",
               jerk ? "cannot be combined with smoothing: give one of the two"
                    : "is missing: add jerk = NUMBER, or smoothing = \"50 ms\", the "
                      "rise time of the acceleration");
   if (smoothing) {
-    if (!(*smoothing > 0)) move.fail("smoothing", number(*smoothing), "must be greater than 0");
     if (deceleration_jerk)
       move.fail("deceleration_jerk", number(*deceleration_jerk), "needs jerk instead of smoothing");
     s.jerk = s.acceleration / *smoothing;
@@ -57,10 +56,10 @@ MoveSpec read_fourth_order(MotionFields& f) {
   FourthOrderSpec s;
   f.may("from", 0, s.from);
   f.need("to", 0, s.to);
-  f.need("velocity", 1, s.velocity);
-  f.need("acceleration", 2, s.acceleration);
-  f.need("jerk", 3, s.jerk);
-  f.need("jounce", 4, s.jounce);
+  f.need_positive("velocity", 1, s.velocity);
+  f.need_positive("acceleration", 2, s.acceleration);
+  f.need_positive("jerk", 3, s.jerk);
+  f.need_positive("jounce", 4, s.jounce);
   return s;
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <array>
 #include <numbers>
 #include <string>
@@ -37,8 +38,12 @@ void refuse_moved(TomlReader& table) {
 
 /// Reads the numbers whose key begins with `prefix` from the table of their part.
 void read_part(TomlReader& table, const std::string& prefix, Drive& drive) {
-  auto friction = table.optional_table("friction");
   const std::string of_friction = "friction.";
+  const bool has_friction =
+      std::ranges::any_of(numbers(drive), [key = prefix + of_friction](const DriveNumber& number) {
+        return number.key.starts_with(key);
+      });
+  auto friction = has_friction ? table.optional_table("friction") : std::nullopt;
   for (const DriveNumber& number : numbers(drive)) {
     if (!number.key.starts_with(prefix)) continue;
     std::string key = number.key.substr(prefix.size());

@@ -35,6 +35,10 @@ Kinematics read_gantry(const PathAxes& axes, std::vector<TomlReader>& joints) {
   for (TomlReader& joint : joints) {
     const std::string name = joint.text("axis");
     const auto at = std::find(axes.names.begin(), axes.names.end(), name);
+    // The placeholder of a faulty name is the path of its key.
+    const bool known = std::ranges::none_of(
+        axes.names, [](const std::string& one) { return one.find('.') != std::string::npos; });
+    if (at == axes.names.end() && !known) throw PartEnded{};
     if (at == axes.names.end())
       joint.fail("axis", '"' + name + '"', "must be the name of an [[axis]]");
     axis_of.push_back(static_cast<std::size_t>(at - axes.names.begin()));

@@ -45,6 +45,7 @@ PathAxes read_path_axes(TomlReader& top, Spec& spec, std::set<std::string>& take
   top.for_each("axis", [&](TomlReader& axis) {
     if (!read_path_axis(axis, axes, spec, taken)) ++axes.path_axes;
   });
+  top.refuse_misspelt("axis");  // if an axis is missing, all lists of positions are too long
   if (axes.size() == 0) top.fail("axis", "", "is missing: add [[axis]] for each axis");
   if (axes.size() > max_axes)
     top.fail("axis", std::to_string(axes.size()),

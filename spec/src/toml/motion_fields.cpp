@@ -13,6 +13,11 @@ void MotionFields::need(const char* key, int order, double& value) {
   value = reader_->number(key, unit(order));
 }
 
+void MotionFields::need_positive(const char* key, int order, double& value) {
+  const auto given = reader_->optional_positive(key, unit(order));
+  value = given ? *given : reader_->number(key, unit(order));
+}
+
 void MotionFields::may(const char* key, int order, double& value) {
   value = optional(key, order).value_or(value);
 }

@@ -18,6 +18,8 @@ class MotionFields {
   MotionFields(TomlReader& reader, const Units& units) : reader_(&reader), units_(&units) {}
 
   void need(const char* key, int order, double& value);
+  /// The same for a number that must be greater than 0.
+  void need_positive(const char* key, int order, double& value);
   void may(const char* key, int order, double& value);
   void may_positive(const char* key, int order, double& value);
   std::optional<double> optional(const char* key, int order);

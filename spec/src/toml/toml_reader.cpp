@@ -70,6 +70,15 @@ std::string bracketed(const toml::node& node, const std::string& name, const std
   return header.empty() ? key : header;
 }
 
+/// True for a key that stands at the top of every file, before its sections.
+bool is_of_file(std::string_view key) {
+  return key == "jounce" || key == "kind" || key == "units";
+}
+
+/// The rule of a key of the file that stands in a section.
+const char* const below_header =
+    "is a key of the whole file: move this line up, before the first section";
+
 /// "; `jounce new cam` writes an example", for the section that a kind of spec requires.
 std::string example_of(const toml::table& top, const std::string& section) {
   const auto kind = top["kind"].value<std::string>();
@@ -86,7 +95,10 @@ std::string shown(const toml::node& node) {
     return "[" + all + "]";
   }
   if (const auto text = node.value_exact<std::string>()) return '"' + printable(*text) + '"';
-  if (const auto value = node.value_exact<double>()) return number(*value);
+  if (const auto value = node.value_exact<double>()) {
+    const std::string text = number(*value);
+    return text.find_first_not_of("-0123456789") == std::string::npos ? text + ".0" : text;
+  }
   std::ostringstream out;
   node.visit([&](const auto& value) { out << value; });
   return out.str();
@@ -187,7 +199,27 @@ const toml::node& TomlReader::require(const char* key, const std::string& exampl
   const toml::node* node = find(key);
   if (node != nullptr) return *node;
   refuse_misspelt(key);
+  refuse_below_header(key);
   fail(key, "", "is missing: add " + example);
+}
+
+void TomlReader::refuse_below_header(const char* key) const {
+  if (!path_.empty() || !(is_of_file(key) || key == std::string_view("start"))) return;
+  for (const auto& [name, section] : *table_) {
+    const toml::array* const all = section.as_array();
+    const std::size_t count = all == nullptr ? 1 : all->size();
+    for (std::size_t i = 0; i < count; ++i) {
+      const toml::node& one = all == nullptr ? section : *all->get(i);
+      const toml::node* const node = one.is_table() ? one.as_table()->get(key) : nullptr;
+      const bool possible = is_of_file(key) || name.str() == "segment";
+      if (node == nullptr || !possible || !header_of(*node, key).empty()) continue;
+      const std::string index = all == nullptr ? "" : "[" + std::to_string(i + 1) + "]";
+      const auto at = place(node->source());
+      const std::string section_key = std::string(name.str()) + index + "." + key;
+      throw InputError(section_key, shown(*node), below_header)
+          .at(document_->name, at.line, at.column);
+    }
+  }
 }
 
 void TomlReader::refuse_misspelt(const char* key) const {
@@ -547,6 +579,11 @@ void TomlReader::finish() {
   for (const auto& [key, node] : *table_) {
     if (known_.contains(std::string(key.str()))) continue;
     if (is_faulty(std::string(key.str()).c_str())) continue;  // has an error of its own
+    if (!path_.empty() &&
+        (is_of_file(key.str()) || (key.str() == "start" && path_.starts_with("segment[")))) {
+      refuse_here(std::string(key.str()).c_str(), below_header);
+      continue;
+    }
     if (const std::string hint = nearest(key.str(), known); !hint.empty()) {
       if (errors_ != nullptr && !has(hint.c_str())) errors_->misspelled(path(hint));
       report(unknown(key, node, "here: did you mean " + bracketed(node, path(hint), hint) + "?"));

@@ -253,6 +253,22 @@ InputError syntax_error(const Document& document, int line, int column,
   if (has("blank bare keys"))
     return error("", "", "the name of the section is missing between its brackets");
   if (has("saw '='")) return error("", "", "the name of the key is missing before the =");
+  const std::string_view raw = trimmed(text.substr(std::min(text.find('=') + 1, text.size())));
+  for (const char* dash : {"\u2212", "\u2013", "\u2014"})
+    if (raw.starts_with(dash))
+      return error(pair.key, "", "begins with a dash or a typographic minus: write the sign as -");
+  for (const char* quote : {"\u201c", "\u201d", "\u201e", "\u00ab", "\u2018", "\u2019"})
+    if (raw.starts_with(quote))
+      return error(pair.key, "", "has typographic quotes: write straight ones, \"...\"");
+  if (has("expected a comment") && !pair.key.empty())
+    return error(pair.key, "",
+                 "has more text after its value: check the quotes, and begin a comment with #");
+  if (pair.value.starts_with('=')) return error(pair.key, "", "has a second =: remove it");
+  if (has("expected keys, tables") && at < text.size())
+    return error("", "",
+                 "the line begins with " + printable(std::string(text.substr(at, 1))) +
+                     ", but must begin with a key, a section or a comment (#): check the brackets "
+                     "and quotes on the lines above");
   if (pair.value.size() > 1 && pair.value[0] == '.' && is_digit(pair.value[1]))
     return error(pair.key, pair.value, "needs a digit before its decimal point: 0" + pair.value);
   if (pair.value.starts_with('('))

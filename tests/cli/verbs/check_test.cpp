@@ -121,7 +121,7 @@ TEST_F(CheckVerb, JudgesACouplingFromTheGivenState) {
   EXPECT_TRUE(broken_start(moved)["limit"].is_null());
   const Result refused = run("check " + cam + " --slave 12.5");
   EXPECT_EQ(refused.status, 2);
-  EXPECT_THAT(refused.err, HasSubstr("--slave = 12.5: needs a spec with [coupling]"));
+  EXPECT_THAT(refused.err, HasSubstr("--slave = 12.5: applies to a spec with [coupling]"));
 }
 
 TEST_F(CheckVerb, ReportsAnExcessiveAccelerationOfTheMaster) {
@@ -208,9 +208,9 @@ TEST_F(CheckVerb, ComparesATableWithItsSpec) {
     EXPECT_THAT(older.out, HasSubstr("`jounce design feeder.toml -o feeder.csv`"));
   }
   EXPECT_EQ(run("check feeder.csv --against feeder.toml --strict").status, 0);
-  EXPECT_EQ(
-      run("check feeder.csv --tolerance 1e-3").err,
-      "jounce: --tolerance = 1e-3: needs --baseline or --against: add one, or leave it out\n");
+  EXPECT_EQ(run("check feeder.csv --tolerance 1e-3").err,
+            "jounce: --tolerance = 1e-3: needs --baseline or --against: add one, or leave out "
+            "--tolerance\n");
   EXPECT_EQ(run("check feeder.csv --against feeder.csv").status, 2);
 }
 

@@ -122,8 +122,8 @@ TEST_F(Usage, AFileOfAnotherVerbNamesThatVerb) {
   EXPECT_THAT(
       run("plot a.toml -o a.svg").err,
       HasSubstr(
-          "a.toml:2:8: kind = \"machine\": is a machine, which has no motion of its own: give the "
-          "spec of a motion here"));
+          "a.toml:2:8: kind = \"machine\": is a machine, which has no motion of its own: use it "
+          "with `jounce check` and `jounce run`"));
   write("a.toml", "jounce = 1\nkind = \"sweep\"\n");
   EXPECT_THAT(run("plot a.toml -o a.svg").err,
               HasSubstr("a.toml:2:8: kind = \"sweep\": is a sweep: start it with `jounce sweep`"));

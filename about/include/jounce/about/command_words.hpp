@@ -37,8 +37,10 @@ std::string wrong_option(std::span<const char* const> given,
 
 /// Rewrites an error sentence of the parser (CLI11) in the style of the other messages, for example
 /// for a missing argument or an option that is given twice. `extra`: the parser reports an argument
-/// that it does not expect.
-std::string parser_sentence(std::string text, bool extra);
+/// that it does not expect. With a verb, the sentence names all required words that are missing among the given ones,
+/// because the parser reports only the first of them.
+std::string parser_sentence(std::string text, bool extra, std::span<const char* const> given = {},
+                            const VerbInfo* verb = nullptr);
 
 /// Breaks a text at its spaces into lines of at most `width` characters. A longer word gets a line
 /// of its own.

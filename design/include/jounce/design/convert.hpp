@@ -117,8 +117,8 @@ std::vector<std::string> form_names();
 std::string known_endings(bool named = false);
 /// True if a path has one of the known endings, or is "-".
 bool has_known_ending(const std::string& path);
-/// Throws InputError (key "path") unless has_known_ending().
-void require_known_ending(const std::string& path);
+/// Throws InputError (key "path") unless has_known_ending(). `input`: the file to convert.
+void require_known_ending(const std::string& path, const std::string& input);
 /// Returns the output of `jounce convert`: input, form, knots, error, and one line for each loss.
 /// If the error exceeds its limit, one more line states this limit. Each limit of the motion that
 /// the table exceeds has one more line.

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "jounce/cam/disc/disc_contour.hpp"
+#include "jounce/design/input.hpp"
 #include "jounce/spec/spec.hpp"
 
 namespace jounce {
@@ -12,6 +13,10 @@ namespace jounce {
 /// Makes the disc of a spec with [disc], in the spec's units. Throws InputError, with the place in
 /// the document, for an invalid disc, and for a spec without [disc].
 Disc make_disc(const Spec& spec, const Cam& cam);
+
+/// Returns the spec of an input that is a cam. Throws InputError for a table (key "SPEC", with the name of the file), and
+/// for a spec of another kind.
+const Spec& cam_with_disc(const Input& input, const std::string& file);
 
 /// Returns check() of the disc, with the units of its findings.
 Report check_disc(const Spec& spec, const Cam& cam);

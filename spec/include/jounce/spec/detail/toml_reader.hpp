@@ -238,6 +238,8 @@ class TomlReader {
   /// Throws InputError if a key that was not read is a misspelling of `key`. Call it before
   /// reporting `key` as missing.
   void refuse_misspelt(const char* key) const;
+  /// Throws InputError if a key of the whole file, such as `kind`, stands in one of the sections of this table.
+  void refuse_below_header(const char* key) const;
   /// Throws or adds an InputError for a key, with its place.
   [[noreturn]] void fail(const char* key, const std::string& value, const std::string& rule);
   /// Like fail(), for a key that determines the meaning of all others: they are not read.
