@@ -237,7 +237,7 @@ std::vector<std::string> meant_words(std::span<const char* const> given) {
   const auto end = std::find(words.begin(), words.end(), "--");
   for (std::string& word : std::span(words.begin(), end)) {
     if (word.empty()) throw empty_argument(words, static_cast<std::size_t>(&word - words.data()));
-    if (word.starts_with("--") && word.ends_with('='))
+    if (word.starts_with("--") && word.find('=') == word.size() - 1)
       throw InputError(word.substr(0, word.size() - 1), "", "has no value after =");
     if (word.size() > 2 && word.starts_with("-.") && std::isdigit(word[2]) != 0)
       word.insert(1, "0");

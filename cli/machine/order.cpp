@@ -50,7 +50,7 @@ wire::GroupStatus coordinates_of(const OrderArguments& options, KeyedLink& link)
   const auto group =
       present_group(link.transport(), options.executor, std::chrono::seconds(1), link.key());
   if (!group && names_axes(options.words))
-    throw InputError("NAME", options.executor, rule_of_axis(options.executor, options.words.what));
+    throw InputError("NAME", options.executor, rule_of_axis(options.executor, options.words));
   return group.value_or(wire::GroupStatus{});
 }
 

@@ -17,10 +17,13 @@
 namespace jounce::cli {
 namespace {
 
-/// True if an option applies to whole tables only.
-bool is_of_tables(const StreamArguments& options) {
-  return !options.swaps.empty() || !options.master.empty() || options.live ||
-         options.until != "start";
+/// The given options that apply to whole tables only, and --rolling if it is one of them; "": none.
+std::string of_tables(const StreamArguments& options, bool rolling) {
+  return given_options({{"--rolling", rolling},
+                        {"--swap", !options.swaps.empty()},
+                        {"--live", options.live},
+                        {"--master", !options.master.empty()},
+                        {"--until", options.until != "start"}});
 }
 
 RowPlan row_plan_of(const StreamArguments& options) {
@@ -36,19 +39,16 @@ RowPlan row_plan_of(const StreamArguments& options) {
 BankPlan bank_plan_of(const StreamArguments& options) {
   const TableFile first = bank_of(load_program_axis(options.file, options.machine, options.axis));
   const TableFile second = bank_of(load(options.bank, options.axis));
-  if (!fit_in_one_queue(first, second))
-    throw InputError(
-        "--bank", options.bank,
-        "must be over the same variable (time or master) and in the same units as " + options.file);
+  if (const std::string rule = queue_conflict(first, second, options.file); !rule.empty())
+    throw InputError("--bank", options.bank, rule);
   return bank_plan(first, second, options.loops, options.relative);
 }
 
 }  // namespace
 
 int stream_rolling(const StreamArguments& options) {
-  if (is_of_tables(options))
-    throw InputError("--rolling", "",
-                     "sends one table over time: omit --swap, --master, --live and --until");
+  if (const std::string others = of_tables(options, false); !others.empty())
+    throw InputError("--rolling", "", "sends one table over time: omit " + others);
   RowPlan plan = row_plan_of(options);
   KeyedLink link = open_link(options.link);
   RowOptions rolling;
@@ -84,11 +84,8 @@ int play(const BankPlan& plan, const StreamArguments& options, BankOptions::Unti
 }
 
 int stream_banks(const StreamArguments& options) {
-  if (options.rolling || is_of_tables(options)) {
-    throw InputError(
-        "--bank", options.bank,
-        "fills two banks of rows: omit --rolling, --swap, --master, --live and --until");
-  }
+  if (const std::string others = of_tables(options, options.rolling); !others.empty())
+    throw InputError("--bank", options.bank, "fills two banks of rows: omit " + others);
   return play(bank_plan_of(options), options, BankOptions::Until::finished,
               options.file + " and " + options.bank, "finished");
 }

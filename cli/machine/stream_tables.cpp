@@ -126,10 +126,12 @@ std::optional<StreamPlan> group_plan(const StreamArguments& options, std::vector
   auto plan = gcode_path_plan(options.to, options.file, options.machine, options.axis);
   if (!plan) axes = load_program(options.file, options.machine, options.axis);
   if (!plan && !is_path(axes)) return std::nullopt;
-  if (options.live || !options.swaps.empty() || !options.master.empty())
+  const std::string alone = given_options({{"--live", options.live},
+                                           {"--swap", !options.swaps.empty()},
+                                           {"--master", !options.master.empty()}});
+  if (!alone.empty())
     throw InputError("--to", options.to,
-                     "is a group, so the options for one axis do not apply: omit --live, --swap "
-                     "and --master, or name one axis of the path with --axis");
+                     "receives all axes of the path: omit " + alone + ", or add --axis");
   if (!plan) plan = path_plan(options.to, axes);
   plan->await = !options.no_wait;
   plan->goal = goal_of(options);
@@ -173,14 +175,16 @@ int stream_table(const StreamArguments& options) {
 }
 
 int stream_group(const StreamArguments& options) {
-  const bool alone = options.rolling || !options.bank.empty() || !options.swaps.empty() ||
-                     !options.start_at.empty() || options.at_next_cut || options.relative ||
-                     options.until != "start";
-  if (alone)
-    throw InputError(
-        "--to", options.to,
-        "names several axes, so the options for one axis do not apply: omit --rolling, "
-        "--bank, --swap, --start-at, --at-next-cut, --relative and --until");
+  const std::string alone = given_options({{"--rolling", options.rolling},
+                                           {"--bank", !options.bank.empty()},
+                                           {"--swap", !options.swaps.empty()},
+                                           {"--start-at", !options.start_at.empty()},
+                                           {"--at-next-cut", options.at_next_cut},
+                                           {"--relative", options.relative},
+                                           {"--until", options.until != "start"}});
+  if (!alone.empty())
+    throw InputError("--to", options.to,
+                     "names several axes: omit " + alone + ", which is for one axis only");
   const std::vector<std::string> names =
       with_option_names({"to"}, [&] { return executor_names(options.to); });
   std::vector<StreamPlan> plans;

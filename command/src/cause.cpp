@@ -307,7 +307,7 @@ constexpr std::array entries{
           "The axis belongs to an enabled group, which alone moves it.",
           "Command the group, or disable it first: `jounce order GROUP disable`."},
     Entry{
-        Cause::single_axis, "single_axis", "The command moves a single axis, not a group.",
+        Cause::single_axis, "single_axis", "The command applies to a single axis, not to a group.",
         "Send the command to an axis of the group, while the group is disabled. A group moves with "
         "`move-linear`, and jogs with `jog --along`. For a table: stream it to an axis while the "
         "group is disabled; a group plays a path.",

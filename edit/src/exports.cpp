@@ -27,7 +27,9 @@ std::vector<Input> inputs_of_text(const std::string& path, const std::string& te
 Input axis_of_text(const std::string& path, const std::string& text, std::size_t axis) {
   std::vector<Input> axes = inputs_of_text(path, text);
   if (axis >= axes.size())
-    throw InputError("axis", std::to_string(axis), fmt::format("must be 0 to {}", axes.size() - 1));
+    throw InputError("axis", std::to_string(axis),
+                     axes.size() == 1 ? "must be 0: the spec has one axis"
+                                      : fmt::format("must be 0 to {}", axes.size() - 1));
   return std::move(axes[axis]);
 }
 

@@ -9,6 +9,7 @@
 
 #include "jounce/machine/detail/outcome_text.hpp"
 #include "jounce/machine/play_plan.hpp"
+#include "jounce/profiles/error.hpp"
 #include "jounce/stream/message/wire.hpp"
 #include "jounce/stream/security/key.hpp"
 #include "jounce/stream/sender/client.hpp"
@@ -94,7 +95,14 @@ class AxisClient {
       const std::lock_guard lock(mutex_);
       return next_status(*status_link_, axis_, nanos(timeout), key_);
     }();
-    if (!message) require_ok({StreamError::no_answer, {}, 0, "no status has arrived"}, axis_);
+    if (!message)
+      require_ok({StreamError::no_answer,
+                  {},
+                  0,
+                  "no status arrived within " + number(timeout) +
+                      " s: check the name, the url, "
+                      "and that the executor runs"},
+                 axis_);
     return std::get<wire::Status>(message->body);
   }
 

@@ -587,7 +587,8 @@ TEST_F(Editors, AnOfferNamesWhatIsWrong) {
   EXPECT_THAT(refused({{"axis", 0}, {"to", "a b"}}), HasSubstr("to = a b"));
   EXPECT_THAT(refused({{"axis", 0}, {"to", "feeder"}}), HasSubstr("master"));
   (void)post("/document", {{"revision", 1}, {"text", feeder + "[master]\nvelocity = 50\n"}});
-  EXPECT_THAT(refused({{"axis", 1}, {"to", "feeder"}}), HasSubstr("axis = 1: must be 0 to 0"));
+  EXPECT_THAT(refused({{"axis", 1}, {"to", "feeder"}}),
+              HasSubstr("axis = 1: must be 0: the spec has one axis"));
   EXPECT_THAT(refused({{"axis", 0}, {"to", "feeder"}, {"url", "unix://" + in("none")}}),
               HasSubstr("names a folder that does not exist"));
   EXPECT_FALSE(std::filesystem::exists(in("none")));

@@ -10,6 +10,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "jounce/base/input_errors.hpp"
+
 #include "support/errors.hpp"
 
 namespace jounce::command_words_test {
@@ -184,11 +186,41 @@ TEST(CommandWords, AValueOfAWordWithoutOneNamesItsOption) {
   EXPECT_EQ(rule("repeat"), "VALUE = 5: does not apply to repeat: did you mean --to 5?");
 }
 
+TEST(CommandWords, AllWrongOptionsAreReported) {
+  const auto errors = [](const CommandWords& words, bool taken) {
+    try {
+      if (taken) require_taken(words);
+      (void)command_of(words, mm);
+    } catch (const InputError& error) {
+      return all_sentences(error, "");
+    }
+    return std::string();
+  };
+  const std::map<std::string, std::string> units{
+      {"master-sync", "3s"}, {"slave-sync", "9"}, {"start-distance", "5kg"}};
+  EXPECT_EQ(errors({.what = "gear-in-pos", .value = "1:0", .options = units}, true),
+            "VALUE = 1:0: must be two numbers other than 0, such as 3:2\n"
+            "--master-sync = 3s: s is not a unit of this quantity: give the value in mm\n"
+            "--start-distance = 5kg: kg is not a unit of this quantity: give the value in mm");
+  EXPECT_EQ(
+      errors({.what = "gear-out", .options = {{"offset", "10"}, {"to", "5"}}}, true),
+      "--offset = 10: does not apply to gear-out, which takes no value and no option but --at\n"
+      "--to = 5: does not apply to gear-out, which takes no value and no option but --at");
+}
+
 TEST(CommandWords, AnOrderWithCoordinatesNamesThatOfAnAxis) {
-  EXPECT_THAT(rule_of_axis("x", "set-position"),
-              HasSubstr("`jounce order x set-position POSITION`"));
-  EXPECT_THAT(rule_of_axis("x", "move-direct"), HasSubstr("`jounce order x move --to POSITION`"));
-  EXPECT_EQ(rule_of_axis("x", "set-limits"), "is a single axis, without coordinates: name a group");
+  const auto rule = [](const std::string& what, const std::map<std::string, std::string>& options) {
+    return rule_of_axis("x", {.what = what, .options = options});
+  };
+  EXPECT_THAT(rule("set-position", {{"to", "x=4"}}), HasSubstr("`jounce order x set-position 4`"));
+  EXPECT_THAT(rule("move-direct", {{"to", "y=5,x=10mm"}}),
+              HasSubstr("`jounce order x move --to 10mm`"));
+  EXPECT_THAT(rule("move-linear", {{"by", "a=3"}}), HasSubstr("`jounce order x move --by 3`"));
+  EXPECT_THAT(rule("move-linear", {{"to", "a=3,b=4"}}),
+              HasSubstr("`jounce order x move --to POSITION`"));
+  EXPECT_THAT(rule("jog", {{"along", "x=1"}, {"velocity", "20"}}),
+              HasSubstr("`jounce order x jog 20`"));
+  EXPECT_EQ(rule("set-limits", {}), "is a single axis, without coordinates: name a group");
 }
 
 TEST(CommandWords, LimitsTakeTheNameOfAnAxis) {
@@ -279,7 +311,8 @@ TEST(CommandWords, CoordinatesHaveTheNamesOfTheAxes) {
   EXPECT_EQ(wrong("jog", {"-250mm/s", "--url", "unix:///tmp/bus"}),
             "VALUE = --url: is an option after --, where all words are values: write it before --. "
             "A negative number needs no --");
-  EXPECT_EQ(wrong("halt", {"x=1"}), "VALUE = x=1: has names of axes, but halt has no coordinates");
+  EXPECT_EQ(wrong("halt", {"x=1"}),
+            "VALUE = x=1: has names of axes, but halt has no coordinates: omit them");
   EXPECT_EQ(wrong("move-circular", {"x=1"}, {{"center", "z=3"}}),
             "--center = ,,3: has 3 coordinates, and must have at most 2");
 }

@@ -114,10 +114,13 @@ TEST(BankPlan, TheSecondBankAddsItsTravelInEachPass) {
   EXPECT_EQ(plan.queue.highest, 3 * 4 + 10);
   EXPECT_EQ(plan.queue.lowest, 0);
   EXPECT_EQ(plan.first.size(), plan.second.size());
-  EXPECT_TRUE(fit_in_one_queue(table, table));
+  EXPECT_EQ(queue_conflict(table, table, "a.csv"), "");
   TableFile inches = table;
   inches.units.position = "in";
-  EXPECT_FALSE(fit_in_one_queue(table, inches));
+  const std::string rule = queue_conflict(table, inches, "a.csv");
+  EXPECT_TRUE(rule.starts_with("is over a master in ") || rule.starts_with("is over time in "))
+      << rule;
+  EXPECT_THAT(rule, testing::HasSubstr("with positions in in, but a.csv is over "));
 }
 
 TEST(FollowBankPlan, HoldsTheEventOfTheSpec) {

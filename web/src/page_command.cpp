@@ -90,11 +90,13 @@ PageCommand read_command(std::string_view text) {
         "must be stop, hold, resume, override, enable, disable, reset, move, jog or release");
   const bool takes_hold = word != nullptr && word->takes_hold;
   if (!takes_hold && object.contains("hold"))
-    throw InputError("hold", object["hold"].dump(), command.what + " takes no hold");
+    throw InputError("hold", object["hold"].dump(),
+                     "does not apply to " + command.what + ": leave it out");
   if (takes_hold) command.hold = hold_of(object);
   const bool takes_value = word != nullptr && word->takes_value;
   if (!takes_value && object.contains("value"))
-    throw InputError("value", object["value"].dump(), command.what + " takes no value");
+    throw InputError("value", object["value"].dump(),
+                     "does not apply to " + command.what + ": leave it out");
   if (!takes_value) return command;
   command.value = value_of(object);
   if (const std::string rule = contradiction(word->kind, values_of(command, *word)); !rule.empty())

@@ -10,6 +10,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "jounce/base/detail/listed.hpp"
+#include "jounce/base/input_errors.hpp"
 #include "jounce/profiles/error.hpp"
 #include "jounce/stream/sender/driver.hpp"
 #include "jounce/stream/sender/operate.hpp"
@@ -105,7 +107,11 @@ struct Panel::Impl {
 
   std::size_t index_of(const std::string& axis) const {
     const auto at = std::find(options.axes.begin(), options.axes.end(), axis);
-    if (at == options.axes.end()) throw InputError("axis", axis, "is not an axis of this page");
+    if (at == options.axes.end())
+      throw InputError("axis", axis,
+                       (axis.empty() ? "is missing: give one of "
+                                     : "is not an axis or group of this page, which has ") +
+                           listed(options.axes));
     return static_cast<std::size_t>(at - options.axes.begin());
   }
 
@@ -171,7 +177,7 @@ struct Panel::Impl {
                                                             : 504,
                     outcome.reason);
     } catch (const InputError& error) {
-      return answer(400, error.what());
+      return answer(400, all_sentences(error, ""));
     } catch (const TransportError& error) {
       return answer(504, error.what());
     }

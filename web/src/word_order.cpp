@@ -64,6 +64,10 @@ WordOrder read_word_order(std::string_view text) {
         order.words.options[name] = given_text(given, name);
     else if (key == "flags" && value.is_array())
       for (const auto& name : value) order.words.flags[given_text(name, key)] = true;
+    else if (key == "options" || key == "flags")
+      throw InputError(key, value.dump(),
+                       key == "options" ? "must be an object: {\"velocity\": \"20\"}"
+                                        : "must be a list of names: [\"buffered\"]");
     else
       throw InputError(key, value.dump(),
                        "is not a member of a command: its members are the texts axis, what and "
@@ -72,6 +76,9 @@ WordOrder read_word_order(std::string_view text) {
   const auto& known = command_words();
   if (std::find(known.begin(), known.end(), order.words.what) == known.end())
     throw InputError("what", order.words.what, "is not a command: GET /commands lists them");
+  if (const auto at = order.words.options.find("at"); at != order.words.options.end())
+    throw InputError("at", at->second,
+                     "does not apply to a page, whose commands take effect at once: leave it out");
   if (order.words.flags.contains(held_option))
     throw InputError(held_option, "", "needs heartbeats: use the jog buttons");
   require_taken(order.words);

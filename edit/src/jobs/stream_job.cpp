@@ -137,7 +137,8 @@ StreamOffer stream_offer(const std::string& path, const std::string& text,
   const std::vector<Input> axes = inputs_of(parse_spec(text, path), path);
   if (request.axis >= axes.size())
     throw InputError("axis", std::to_string(request.axis),
-                     fmt::format("must be 0 to {}", axes.size() - 1));
+                     axes.size() == 1 ? "must be 0: the spec has one axis"
+                                      : fmt::format("must be 0 to {}", axes.size() - 1));
   const Input& input = axes[request.axis];
   require_fit(request, input, is_path(axes));
   StreamOffer offer{text, web::new_token(), executor, request.link, {}};

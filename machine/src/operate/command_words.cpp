@@ -10,6 +10,7 @@
 #include "jounce/base/detail/csv.hpp"
 #include "jounce/base/detail/listed.hpp"
 #include "jounce/base/detail/nearest.hpp"
+#include "jounce/base/input_errors.hpp"
 #include "jounce/base/units.hpp"
 #include "jounce/command/command_values.hpp"
 #include "jounce/profiles/error.hpp"
@@ -89,6 +90,37 @@ std::vector<std::string> taken_by(const std::string& word) {
       if (form.takes(field)) add_once(names, form.option(field));
   return names;
 }
+
+/// The errors of an order that do not depend on each other.
+class ErrorsOfOrder {
+ public:
+  /// Adds an error, unless one with the same sentence is there.
+  void add(const InputError& error) {
+    const auto same = [&](const InputError& one) {
+      return std::string(one.what()) == error.what();
+    };
+    if (std::none_of(all_.begin(), all_.end(), same)) all_.push_back(error);
+  }
+
+  /// Adds the error that `work` throws.
+  template <typename Work>
+  void check(const Work& work) {
+    try {
+      work();
+    } catch (const InputError& error) {
+      add(error);
+    }
+  }
+
+  /// Throws the errors, if there are any.
+  void finish() {
+    if (all_.size() == 1) throw InputError(all_.front());
+    if (!all_.empty()) throw InputErrors(std::move(all_));
+  }
+
+ private:
+  std::vector<InputError> all_;
+};
 
 std::string text_of(const CommandWords& words, const std::string& option) {
   if (option == value_word) return words.value;
@@ -318,25 +350,29 @@ void require_unbuffered(const CommandWords& words, const Form& form) {
       form.command->fields.begin(), form.command->fields.end(),
       [&](const Field& f) { return form.form(f) == OptionForm::blend && form.takes(f); });
   if (buffer_mode_of(words) == 0 || takes_it) return;
-  throw InputError(
-      flag_of(words, "buffered") ? "--buffered" : "--blend", "",
-      "applies to move --to, move --by, jog of an axis, and the moves of a group only, not to " +
-          (form.word == move_word ? dashed(form.selector()) : form.word));
+  throw InputError(flag_of(words, "buffered") ? "--buffered" : "--blend", text_of(words, "blend"),
+                   "applies only to move --to, move --by, jog of an axis, and the moves of a "
+                   "group: omit it for " +
+                       (form.word == move_word ? dashed(form.selector()) : form.word));
 }
 
-/// Rejects an option of the word that the form does not take: --direction of move --by.
+/// Rejects the options of the word that the form does not take: --direction of move --by.
 void require_applies(const CommandWords& words, const Form& form) {
   const auto& fields = form.command->fields;
+  ErrorsOfOrder errors;
   for (const auto& [option, text] : words.options) {
     const auto is_it = [&, &name = option](const Field& f) {
       return form.takes(f) && form.option(f) == name;
     };
     if (text.empty() || std::any_of(fields.begin(), fields.end(), is_it)) continue;
-    throw InputError(dashed(option), text,
-                     form.selector() == value_word
-                         ? "cannot be combined with VALUE: give one of the two"
-                         : "does not apply to " + form.word + " " + dashed(form.selector()));
+    errors.add(InputError(
+        dashed(option), text,
+        form.selector() == value_word
+            ? "does not apply to " + form.word + " with VALUE" +
+                  (words.value.empty() ? "" : " = " + words.value) + ": omit it"
+            : "does not apply to " + form.word + " " + dashed(form.selector()) + ": omit it"));
   }
+  errors.finish();
 }
 
 /// Number of coordinates of an option.
@@ -441,6 +477,24 @@ std::string option_for_value(const std::string& word, const std::string& name,
   return is_flag ? dashed(name) : dashed(name) + " " + text;
 }
 
+/// The coordinate that an order of a group has for this axis: that with its name, or the only one; "" if
+/// it has none.
+std::string only_place(const std::string& axis, const CommandWords& words) {
+  std::string list = text_of(words, "to");
+  if (list.empty()) list = text_of(words, "by");
+  const std::vector<std::string_view> places = csv_cells(list);
+  for (const std::string_view place : places) {
+    const bool is_of_axis = place.starts_with(axis + "=");
+    if (is_of_axis || places.size() == 1)
+      return std::string(place.substr(place.find('=') + 1));  // npos + 1 is 0
+  }
+  return "";
+}
+
+std::string or_name(const std::string& text, const char* name) {
+  return text.empty() ? name : text;
+}
+
 /// The options of a word, with those that are no field of a command.
 std::vector<std::string> with_common(std::vector<std::string> taken) {
   if (std::find(taken.begin(), taken.end(), "blend") != taken.end()) taken.emplace_back("buffered");
@@ -471,11 +525,14 @@ std::string meant_command(const std::string& name, const std::string& word) {
   return "";
 }
 
-std::string rule_of_axis(const std::string& name, const std::string& word) {
-  const std::string order = word == "jog"               ? "jog VELOCITY"
-                            : word == "set-position"    ? "set-position POSITION"
-                            : word.starts_with("move-") ? "move --to POSITION"
-                                                        : "";
+std::string rule_of_axis(const std::string& name, const CommandWords& words) {
+  const std::string& word = words.what;
+  const std::string order =
+      word == "jog"               ? "jog " + or_name(text_of(words, "velocity"), "VELOCITY")
+      : word == "set-position"    ? "set-position " + or_name(only_place(name, words), "POSITION")
+      : word.starts_with("move-") ? (text_of(words, "by").empty() ? "move --to " : "move --by ") +
+                                        or_name(only_place(name, words), "POSITION")
+                                  : "";
   return "is a single axis, without coordinates: name a group" +
          (order.empty() ? "" : ", or send `jounce order " + name + " " + order + "`");
 }
@@ -515,6 +572,7 @@ namespace {
 /// "--to 5 or --by 5", the options for a value of a command without VALUE; "" if it has neither.
 std::string meant_distance(const std::vector<std::string>& taken, const std::string& text) {
   std::string options;
+  if (text.find_first_of("0123456789") == std::string::npos) return "";  // no number
   for (const char* const option : {"to", "by"})
     if (std::find(taken.begin(), taken.end(), option) != taken.end())
       options += (options.empty() ? "" : " or ") + dashed(option) + " " + text;
@@ -523,14 +581,17 @@ std::string meant_distance(const std::vector<std::string>& taken, const std::str
 
 }  // namespace
 
-void require_taken(const CommandWords& words) {
-  const std::vector<std::string> taken = taken_by(words.what);
+namespace {
+
+/// Rejects a value, or an option, that no form of the word has.
+void require_in_word(const CommandWords& words, const std::vector<std::string>& taken) {
   const auto require = [&](const std::string& option, const std::string& text, bool given) {
     if (!given || std::find(taken.begin(), taken.end(), option) != taken.end()) return;
     if (option == value_word && !coordinate_option(words.what).empty())
       throw InputError(
           value_word, text,
-          text.find(',') == std::string::npos
+          text.find('=') != std::string::npos ? "has the name of an axis: give --to " + text
+          : text.find(',') == std::string::npos
               ? "needs the name of an axis, such as x=" + text
               : "is a list without names: give --to " + text + ", or names, such as x=10 y=5");
     if (option == value_word && taken.size() == 1)
@@ -546,10 +607,20 @@ void require_taken(const CommandWords& words) {
                          (taken.empty() ? ", which takes no value and no option but --at"
                                         : ", which has " + listed(with_common(taken), dashed)));
   };
-  require(value_word, words.value, !words.value.empty());
+  ErrorsOfOrder errors;
+  errors.check([&] { require(value_word, words.value, !words.value.empty()); });
   for (const auto& [option, given] : words.flags)
-    if (option != "buffered") require(option, "", given);
-  for (const auto& [option, text] : words.options) require(option, text, !text.empty());
+    if (option != "buffered")
+      errors.check([&, &name = option, is = given] { require(name, "", is); });
+  for (const auto& [option, text] : words.options)
+    errors.check([&, &name = option, &one = text] { require(name, one, !one.empty()); });
+  errors.finish();
+}
+
+}  // namespace
+
+void require_taken(const CommandWords& words) {
+  require_in_word(words, taken_by(words.what));
   const Form form = form_of(words);
   require_unbuffered(words, form);
   require_applies(words, form);
@@ -710,7 +781,7 @@ void set_values(CommandWords& words, const std::vector<std::string>& values) {
   const std::string option = coordinate_option(words.what);
   if (option.empty())
     throw InputError(value_word, list,
-                     "has names of axes, but " + words.what + " has no coordinates");
+                     "has names of axes, but " + words.what + " has no coordinates: omit them");
   if (!text_of(words, option).empty())
     throw InputError(value_word, list,
                      "cannot be combined with " + dashed(option) + ": give one of the two");
@@ -794,15 +865,19 @@ ClientCommand command_of(const CommandWords& given, const Units& units,
   CommandValues values = values_of(command_of(kind));
   const Units rates = units_of_rates(words, form, units, coordinate_units);
   std::map<std::string, std::size_t> seen;  // fields of each option so far
+  ErrorsOfOrder errors;
   for (std::size_t i = 0; i < form.command->fields.size(); ++i) {
     const Field& field = form.command->fields[i];
-    if (form.takes(field))
-      values[i] = value_of(words, form, field, seen[form.option(field)]++, values[i], rates, axes,
-                           coordinate_units);
-    if (form.form(field) == OptionForm::coordinates)
-      require_coordinates(dashed(form.option(field)), text_of(words, form.option(field)),
-                          coordinates(form, form.option(field)));
+    const std::string option = form.option(field);
+    errors.check([&] {
+      if (form.takes(field))
+        values[i] =
+            value_of(words, form, field, seen[option]++, values[i], rates, axes, coordinate_units);
+      if (form.form(field) == OptionForm::coordinates)
+        require_coordinates(dashed(option), text_of(words, option), coordinates(form, option));
+    });
   }
+  errors.finish();
   require_suitable(words, form);
   if (const std::string rule = contradiction(kind, values); !rule.empty())
     throw contradiction_error(words, form, rule);

@@ -29,6 +29,14 @@ std::uint32_t capacity_for(std::size_t first, std::size_t second) {
   return static_cast<std::uint32_t>(std::max({first, second, std::size_t{2}}));
 }
 
+/// "over time [s], with positions in mm".
+std::string variable_and_units(const TableFile& file) {
+  const bool over_time = file.table.axis() == Domain::time;
+  return std::string("over ") + (over_time ? "time" : "a master") +
+         (file.units.x.empty() ? "" : " in " + file.units.x) + ", with positions " +
+         (file.units.position.empty() ? "without a unit" : "in " + file.units.position);
+}
+
 const FollowPart* follow_part(const Input& input) {
   const auto* const sync = input.spec ? std::get_if<SyncSpec>(&input.spec->subject) : nullptr;
   return sync != nullptr ? std::get_if<FollowPart>(sync) : nullptr;
@@ -141,9 +149,13 @@ TableFile bank_of(const Input& input) {
   return executor_tables(input).slave;
 }
 
-bool fit_in_one_queue(const TableFile& first, const TableFile& second) {
-  return first.table.axis() == second.table.axis() && first.units.x == second.units.x &&
-         first.units.position == second.units.position;
+std::string queue_conflict(const TableFile& first, const TableFile& second,
+                           const std::string& file) {
+  const std::string ours = variable_and_units(first);
+  const std::string other = variable_and_units(second);
+  if (ours == other) return "";
+  return "is " + other + ", but " + file + " is " + ours +
+         ": give two tables over the same variable, in the same units";
 }
 
 BankPlan bank_plan(const TableFile& first, const TableFile& second, std::int32_t loops,

@@ -36,22 +36,29 @@ std::string unused_at_cut(const Units& units, const CouplingSpec& coupling) {
          " of [coupling] has no effect: at the next cut, the cam begins at its own start";
 }
 
+std::string or_without(const std::string& unit) {
+  return unit.empty() ? "no unit" : unit;
+}
+
 /// Throws InputError ("live", "master") for tables that do not suit the options.
 void require_fit(const Input& input, const PlayOptions& options) {
   const bool is_cam = input.table.table.axis() == Domain::master;
   if (options.live && !is_cam)
-    throw InputError("live", "",
-                     input.name + " is over time, but only a cam follows a live master");
+    throw InputError(
+        "live", "",
+        input.name + " is over time, but only a cam follows a live master: leave it out");
   if (!options.master) return;
   const Units& master = options.master->units;
   if (!is_cam)
-    throw InputError("master", "", "applies to a cam, but " + input.name + " is over time");
+    throw InputError("master", "",
+                     "applies to a cam, but " + input.name + " is over time: leave it out");
   if (options.master->table.axis() != Domain::time)
     throw InputError("master", "", "must be a table over time: the motion of the master");
   if (master.position != input.table.units.x)
-    throw InputError(
-        "master", "",
-        "is in " + master.position + ", but " + input.name + " is over " + input.table.units.x);
+    throw InputError("master", "",
+                     "has positions in " + or_without(master.position) + ", but the master of " +
+                         input.name + " moves in " + or_without(input.table.units.x) +
+                         ": give a table over time with positions in that unit");
 }
 
 ExecutorTables tables_of(const Input& input, const PlayOptions& options) {

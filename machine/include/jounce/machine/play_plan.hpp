@@ -51,9 +51,10 @@ BankPlan follow_bank_plan(const Input& input, bool relative);
 /// Returns the table of an input for a bank: a table over a master unchanged, a table over time in
 /// s.
 TableFile bank_of(const Input& input);
-/// True if the two tables are over the same variable, in the same units, so that one queue can
-/// contain them.
-bool fit_in_one_queue(const TableFile& first, const TableFile& second);
+/// The rule that `second` breaks, so that one queue cannot contain both tables: another variable, or
+/// other units. "" if one queue can contain them. `file`: name of the first table.
+std::string queue_conflict(const TableFile& first, const TableFile& second,
+                           const std::string& file);
 /// Returns the plan that plays the first table once, then the second one `loops` times. If
 /// `relative` is true, positions count from the position of the axis.
 BankPlan bank_plan(const TableFile& first, const TableFile& second, std::int32_t loops,

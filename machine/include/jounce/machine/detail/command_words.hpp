@@ -38,8 +38,8 @@ const std::vector<std::string>& command_words();
 std::string meant_command(const std::string& name, const std::string& word);
 /// Returns the rule for the name of a single axis in an order with coordinates, with the order of an
 /// axis in its place: "is a single axis, without coordinates: name a group, or send `jounce order
-/// feeder jog VELOCITY`".
-std::string rule_of_axis(const std::string& name, const std::string& word);
+/// feeder jog 20`".
+std::string rule_of_axis(const std::string& name, const CommandWords& words);
 
 /// Form in which the text of an option gives a value.
 enum class OptionForm : std::uint8_t {
