@@ -46,9 +46,8 @@ void by_segment(benchmark::State& state, const Program& program) {
     const Plan made = plan(program, l);
     time = made.duration();
     const Path& path = made.path();
-    bytes = static_cast<double>(path.bytes() + made.law().stretches().size_bytes() +
-                                made.junctions().size_bytes());
-    benchmark::DoNotOptimize(time);
+    bytes = static_cast<double>(path.bytes() + made.law().bytes() + made.junctions().size_bytes());
+    benchmark::DoNotOptimize(made.duration());
   }
   const auto n = static_cast<double>(state.range(0));
   state.counters["ns_a_segment"] = benchmark::Counter(

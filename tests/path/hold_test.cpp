@@ -26,6 +26,20 @@ Program zigzag(Random& random, std::size_t count, double reach) {
   return p;
 }
 
+// The velocity of a corner that a motion does not pass was read from before the first stretch of its law.
+TEST(Hold, ACornerBeforeAResumedMotionHasNoVelocity) {
+  Program p(2);
+  p.set({.velocity = 100, .corner = Corner::deviation, .value = 0.5});
+  p.line({20, 0}, 1);
+  p.line({20, 20}, 2);
+  p.line({40, 20}, 3);
+  const Plan made = plan(p, usual(2));
+  const std::vector<CornerRecord> corners = resumed(made, 30).corners();
+  ASSERT_EQ(corners.size(), 2u);
+  EXPECT_EQ(corners[0].velocity, 0);
+  EXPECT_GT(corners[1].velocity, 0);
+}
+
 TEST(Hold, AnyInstantStaysOnThePathWithinTheLimits) {
   for (std::uint64_t seed = 1; seed <= 400; ++seed) {
     SCOPED_TRACE(seed);

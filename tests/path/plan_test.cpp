@@ -301,13 +301,13 @@ TEST(TimingLaw, FindsTheIntervalOfAnyInstant) {
     program.line(at, i);
   }
   const Plan motion = plan(program, path_tests::usual(2));
-  const auto all = motion.law().stretches();
+  const std::vector<LawInterval> all = motion.law().stretches().unpacked();
   const auto expected = [&](double t) {
     const auto behind = std::upper_bound(all.begin() + 1, all.end(), t,
                                          [](double x, const LawInterval& s) { return x < s.time; });
     return static_cast<std::size_t>(behind - all.begin()) - 1;
   };
-  const auto check = [&](double t) { ASSERT_EQ(motion.law().stretch_at(t), expected(t)) << t; };
+  const auto check = [&](double t) { ASSERT_EQ(motion.law().find(t).index(), expected(t)) << t; };
   for (const LawInterval& s : all)
     for (const double t : {std::nextafter(s.time, -1.0), s.time, std::nextafter(s.time, 1e9)})
       check(t);
@@ -427,13 +427,13 @@ Program zigzag(int lines) {
   return p;
 }
 
-TEST(Plan, ALineWithARoundedCornerNeedsAtMost380Bytes) {
+TEST(Plan, ALineWithARoundedCornerNeedsAtMost250Bytes) {
   constexpr int lines = 1000;
   const Plan made = plan(zigzag(lines), usual(3));
   const std::size_t bytes =
-      made.path().bytes() + made.law().stretches().size_bytes() + made.junctions().size_bytes();
+      made.path().bytes() + made.law().bytes() + made.junctions().size_bytes();
   EXPECT_EQ(made.path().pieces().size(), 2 * lines - 1);
-  EXPECT_LE(bytes, 380 * lines);
+  EXPECT_LE(bytes, 250 * lines);
 }
 
 /// All numbers of a plan of lines and turns.

@@ -40,7 +40,7 @@ Setpoint GroupPath::at(const Moment& now) noexcept {
   Setpoint next{0, 0, {origin_ + q.position, q.velocity, q.acceleration, q.jerk}};
   if (now.t < end) return next;
   progress_ = Progress::done;
-  const LawInterval& last = program_.plan->law().stretches().back();
+  const LawInterval last = program_.plan->law().stretches().back();
   // A replay has only the law: its length differs from that of a fitted path by rounding.
   next.slave = {origin_ + (last.start + last.length), 0, 0, 0};
   for (Jet& part : parts_) part = {part[0], 0, 0, 0};

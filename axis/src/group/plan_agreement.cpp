@@ -158,7 +158,10 @@ double common_time(const LawInterval& a, const LawInterval& b, double velocity) 
 class Times {
  public:
   Times(const TimingLaw& before, const TimingLaw& after, double offset, double scale)
-      : before_(before.stretches()), after_(after.stretches()), offset_(offset), scale_(scale) {
+      : before_(before.stretches().unpacked()),
+        after_(after.stretches().unpacked()),
+        offset_(offset),
+        scale_(scale) {
     for (const LawInterval& s : before_) velocity_ = std::max(velocity_, s.peak);
   }
 
@@ -201,7 +204,7 @@ class Times {
     return equal;
   }
 
-  std::span<const LawInterval> before_, after_;
+  std::vector<LawInterval> before_, after_;
   double offset_, scale_;
   double velocity_ = 0;
 };

@@ -27,15 +27,14 @@ std::string name_of(const PathPiece& piece) {
 /// Both ascend.
 std::vector<std::string> names_of(const Plan& plan, const Trajectory& curve) {
   const auto pieces = plan.drawn().pieces();
-  const auto stretches = plan.law().stretches();
+  auto stretch = plan.law().stretches().begin();
   std::vector<std::string> names;
   names.reserve(curve.segments().size());
   std::size_t piece = 0;
-  std::size_t stretch = 0;
   for (std::size_t i = 0; i < curve.segments().size(); ++i) {
     const double t = (curve.breaks()[i] + curve.breaks()[i + 1]) / 2;
-    while (stretch + 1 < stretches.size() && stretches[stretch + 1].time <= t) ++stretch;
-    if (stretches[stretch].pieces == 0) {
+    while (stretch.next_time() <= t) ++stretch;
+    if (stretch->pieces == 0) {
       names.emplace_back("dwell");
       continue;
     }

@@ -19,7 +19,8 @@ constexpr std::int64_t most_stretches = 1'000'000'000;
 
 std::vector<RecordedProgram> recorded(const GroupProgram& program, std::size_t axis,
                                       std::uint64_t id) {
-  const auto law = program.plan->law().stretches();
+  const std::vector<LawInterval> stretches = program.plan->law().stretches().unpacked();
+  const std::span<const LawInterval> law = stretches;
   std::vector<RecordedProgram> parts;
   for (std::size_t first = 0; first < law.size(); first += stretches_an_event) {
     const auto some = law.subspan(first, std::min(stretches_an_event, law.size() - first));

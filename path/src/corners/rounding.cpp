@@ -41,7 +41,7 @@ class Rounding {
     for (const std::int32_t line : view_.route.empty_lines)
       junctions_.push_back({0, line, JunctionNote::no_distance, false});
     Rounded result{{}, std::move(units_), std::move(junctions_)};
-    if (!sharp) result.path.emplace(n_, std::move(pieces_), std::move(numbers_));
+    if (!sharp) result.path.emplace(n_, std::move(pieces_), std::move(numbers_), std::move(turns_));
     return result;
   }
 
@@ -90,11 +90,13 @@ class Rounding {
     std::size_t corners = 0;
     std::size_t marks = view_.route.empty_lines.size();
     std::size_t numbers = 0;
+    std::size_t turns = 0;
     for (std::size_t k = 0; k < count; ++k) {
       const CornerShape& s = shapes_[k];
       if (k > 0 && is_marked(s)) ++marks;
       if (view_.piece(k).kind == PieceKind::line) numbers += 2 * n_;
-      if (s.how == How::turn) numbers += TurnNumbers::count(n_);
+      if (s.how == How::turn)
+        turns += TurnNumbers::count(n_) - (k > 0 && shapes_[k - 1].how == How::turn ? n_ : 0);
       if (s.is_round()) ++corners;
     }
     reserve_large(junctions_, marks);
@@ -102,6 +104,7 @@ class Rounding {
     if (sharp) return;
     reserve_large(pieces_, count + corners);
     reserve_large(numbers_, numbers);
+    reserve_large(turns_, turns);
   }
 
   static bool is_marked(const CornerShape& s) {
@@ -194,7 +197,7 @@ class Rounding {
     return last.length;
   }
 
-  void append_corner(std::size_t k, const CornerShape& s, PieceKind kind) {
+  PathPiece& append_corner(std::size_t k, const CornerShape& s, PieceKind kind) {
     const PathPiece& next = view_.piece(k);
     PathPiece& corner = path_detail::append_blank(pieces_);
     corner.length = 2 * s.trim;
@@ -203,19 +206,18 @@ class Rounding {
     corner.settings = next.settings;
     corner.kind = kind;
     corner.settings_before = view_.piece(k - 1).settings & (PathPiece::most_settings - 1);
+    return corner;
   }
 
   void append_turn(std::size_t k, const CornerShape& s) {
-    append_corner(k, s, PieceKind::turn);
+    PathPiece& corner = append_corner(k, s, PieceKind::turn);
+    corner.data = append_direction(turns_, view_.direction(k - 1).data(), n_);
     const double* before = view_.route.path.numbers(k - 1);
     const double share = (view_.piece(k - 1).length - s.trim) / view_.piece(k - 1).length;
-    std::array<double, TurnNumbers::count(max_axes)> turn;
-    double* out = turn.data();
+    double* out = append_blank(turns_, 2 * n_ + 1);
     for (std::size_t i = 0; i < n_; ++i) *out++ = before[i] + before[n_ + i] * share;
-    for (const std::span<const double> side : {view_.direction(k - 1), view_.direction(k)})
-      out = std::copy_n(side.data(), n_, out);
-    *out = s.share;
-    append(numbers_, turn.data(), TurnNumbers::count(n_));
+    *out++ = s.share;
+    std::copy_n(view_.direction(k).data(), n_, out);
   }
 
   void append_blend(std::size_t k, const CornerShape& s) {
@@ -233,7 +235,7 @@ class Rounding {
   const std::size_t n_;
   const bool stopping_;
   std::vector<PathPiece> pieces_;  // parts of the result
-  std::vector<double> numbers_;
+  std::vector<double> numbers_, turns_;
   std::vector<Unit> units_;
   std::uint32_t placed_ = 0;  // number of placed pieces
   double end_ = 0;            // end of the last piece

@@ -23,21 +23,23 @@ namespace jounce {
 Plan halted(const Plan& plan, double t) {
   if (!(t >= 0 && t <= plan.duration()))
     throw InputError("t", t, "must be from 0 to " + number(plan.duration()));
-  const auto stretches = plan.law().stretches();
-  std::size_t i = plan.law().stretch_at(t);
+  const LawStretches& stretches = plan.law().stretches();
+  const auto at = plan.law().find(t);
   PartialLaw held;
-  for (std::size_t k = 0; k < i; ++k) held.add(stretches[k]);
-  const LawInterval& here = stretches[i];
+  for (auto s = stretches.begin(); s != at; ++s) held.add(*s);
+  const LawInterval& here = *at;
   const double into = std::min(t - here.time, here.duration);
-  std::size_t last = i;  // the stretch at whose end the plan rests
-  while (last + 1 < stretches.size() && stretches[last].v1 > 0) ++last;
+  auto last = at;  // the stretch at whose end the plan rests
+  while (last.index() + 1 < stretches.size() && last->v1 > 0) ++last;
   // A stop may last longer than the plan's own way to its next rest, which may use higher limits on the next piece.
   const auto made = [&] {
-    if (stretches[last].time + stretches[last].duration < held.time())
-      held.law.assign(stretches.begin(), stretches.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+    if (last->time + last->duration < held.time()) {
+      held.law.assign(stretches.begin(), last);
+      held.law.push_back(*last);
+    }
     if (held.law.empty())
       held.until(here, std::min(here.duration, path_detail::shortest_rest * plan.duration()));
-    return Plan(plan.path(), TimingLaw(std::move(held.law)),
+    return Plan(plan.path(), TimingLaw(held.law),
                 {plan.junctions().begin(), plan.junctions().end()}, plan.stop_duration(),
                 plan.given());
   };
@@ -72,8 +74,8 @@ Plan halted(const Plan& plan, double t) {
     }
   }
   held.add(here);
-  for (++i; i < stretches.size() && v > 0; ++i) {
-    LawInterval s = stretches[i];
+  for (auto next = std::next(at); next != stretches.end() && v > 0;) {
+    LawInterval s = *next++;
     if (s.is_phase()) {
       v = s.v1;
     } else {
@@ -92,7 +94,7 @@ Plan halted(const Plan& plan, double t) {
       for (std::size_t k = 0; k < count; ++k) s.duration += phases_of[k].duration;
     }
     held.add(s);
-    if (i + 1 < stretches.size() && stretches[i + 1].pieces == 0) break;
+    if (next != stretches.end() && next->pieces == 0) break;
   }
   return made();
 }
@@ -102,7 +104,6 @@ namespace {
 using profiles_detail::rounded_value;
 /// The rest of a plan that rests at `from`, where it has already dwelled for `rested` s.
 Plan remaining(const Plan& plan, double from, double rested) {
-  const auto stretches = plan.law().stretches();
   const double end = plan.path().length();
   std::vector<LawInterval> law;
   std::vector<Unit> units;
@@ -120,7 +121,7 @@ Plan remaining(const Plan& plan, double from, double rested) {
     start = law.back().start + law.back().length;
     units.clear();
   };
-  for (const LawInterval& s : stretches) {
+  for (const LawInterval& s : plan.law().stretches()) {
     const double stretch_end = s.start + s.length;
     if (stretch_end < from - rounded_value * end) continue;
     if (s.pieces > 0 && stretch_end <= from + rounded_value * end) continue;
@@ -148,7 +149,7 @@ Plan remaining(const Plan& plan, double from, double rested) {
   }
   flush();
   return {plan.path(),
-          TimingLaw(std::move(law)),
+          TimingLaw(law),
           {plan.junctions().begin(), plan.junctions().end()},
           plan.stop_duration(),
           plan.given()};
@@ -157,7 +158,7 @@ Plan remaining(const Plan& plan, double from, double rested) {
 }  // namespace
 
 Plan resumed(const Plan& plan, const Plan& held) {
-  const LawInterval& last = held.law().stretches().back();
+  const LawInterval last = held.law().stretches().back();
   const double from = last.start + last.length;
   if (!(from < plan.path().length() * (1 - rounded_value)))
     throw InputError("held", from, "is at the end of the path; nothing remains");

@@ -91,7 +91,7 @@ class Player {
     PartialLaw law = out_;
     if (law.law.empty()) law.rest(base_.path(), 0, path_detail::shortest_rest * base_.duration());
     return {base_.path(),
-            TimingLaw(std::move(law.law)),
+            TimingLaw(law.law),
             {base_.junctions().begin(), base_.junctions().end()},
             base_.stop_duration(),
             base_.given()};

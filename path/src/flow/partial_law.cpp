@@ -201,7 +201,7 @@ class Replanned {
     flush();
     out.rest(path_, path_.length(), dwells_[count]);
     return {path_,
-            TimingLaw(std::move(out.law)),
+            TimingLaw(out.law),
             {plan_.junctions().begin(), plan_.junctions().end()},
             plan_.stop_duration(),
             plan_.given()};
@@ -321,9 +321,7 @@ class Replanned {
 }  // namespace
 
 Plan by_stations(const Plan& plan, double factor) {
-  const auto stretches = plan.law().stretches();
-  const bool window = std::any_of(stretches.begin(), stretches.end(),
-                                  [](const LawInterval& s) { return s.is_phase(); });
+  const bool window = std::ranges::any_of(plan.law().stretches(), &LawInterval::is_phase);
   if (factor == 1 && !window) return plan;
   return Replanned(plan, factor).run();
 }

@@ -40,6 +40,21 @@ void append_polynomials(const double* data, std::size_t n, double length,
   }
 }
 
+/// Appends the numbers of a turn to `turns`; returns PathPiece::data.
+std::uint32_t append_reversed_turn(const Path& path, std::size_t k, std::vector<double>& turns) {
+  const std::size_t n = path.axes();
+  const TurnNumbers turn(path.numbers(k), n);
+  const Point end = path.point(k, path.pieces()[k].length);
+  Point before;
+  for (std::size_t i = 0; i < n; ++i) before[i] = -turn.after(i);
+  const std::uint32_t data = append_direction(turns, before.data(), n);
+  append(turns, end.data(), n);
+  turns.push_back(turn.share());
+  for (std::size_t i = 0; i < n; ++i) turns.push_back(-turn.before(i));
+  return data;
+}
+
+/// Appends the numbers of any other piece.
 void append_reversed(const Path& path, std::size_t k, std::vector<double>& out) {
   const std::size_t n = path.axes();
   const PathPiece& piece = path.pieces()[k];
@@ -62,15 +77,8 @@ void append_reversed(const Path& path, std::size_t k, std::vector<double>& out) 
       out.push_back(arc.sweep());
       break;
     }
-    case PieceKind::turn: {
-      const TurnNumbers turn(data, n);
-      const Point end = path.point(k, piece.length);
-      each([&](std::size_t i) { return end[i]; });
-      each([&](std::size_t i) { return -turn.after(i); });
-      each([&](std::size_t i) { return -turn.before(i); });
-      out.push_back(turn.share());
+    case PieceKind::turn:
       break;
-    }
     case PieceKind::blend:
     case PieceKind::curve: {
       append_polynomials(data, n, piece.length, out);
@@ -85,16 +93,21 @@ void append_reversed(const Path& path, std::size_t k, std::vector<double>& out) 
 Path reversed(const Path& path) {
   std::vector<PathPiece> pieces;
   std::vector<double> numbers;
+  std::vector<double> turns;
   pieces.reserve(path.pieces().size());
   for (std::size_t k = path.pieces().size(); k-- > 0;) {
     PathPiece piece = path.pieces()[k];
     piece.start = path.length() - (piece.start + piece.length);
     if (pieces.empty()) piece.start = 0;
-    piece.data = next_index(numbers);
-    append_reversed(path, k, numbers);
+    if (piece.kind == PieceKind::turn) {
+      piece.data = append_reversed_turn(path, k, turns);
+    } else {
+      piece.data = next_index(numbers);
+      append_reversed(path, k, numbers);
+    }
     pieces.push_back(piece);
   }
-  return {path.axes(), std::move(pieces), std::move(numbers)};
+  return {path.axes(), std::move(pieces), std::move(numbers), std::move(turns)};
 }
 
 /// A unit of the reversed path: the law brakes where it accelerated before.
@@ -111,7 +124,7 @@ Unit turned_around(const Unit& unit, const Path& path) {
 }  // namespace
 
 Plan retreated(const Plan& plan, const Plan& held, double to) {
-  const LawInterval& last = held.law().stretches().back();
+  const LawInterval last = held.law().stretches().back();
   const double from = last.start + last.length;
   if (!(to >= 0 && to < from))
     throw InputError("to", to, "must be from 0 to less than " + number(from) + ", the held place");
@@ -142,7 +155,7 @@ Plan retreated(const Plan& plan, const Plan& held, double to) {
     law.add(s);
   }
   return {path,
-          TimingLaw(std::move(law.law)),
+          TimingLaw(law.law),
           {plan.junctions().begin(), plan.junctions().end()},
           plan.stop_duration(),
           std::move(given)};

@@ -48,12 +48,16 @@ Segment plain_segment(const double* data, PieceKind kind, double length, std::si
 
 }  // namespace
 
-Path::Path(std::size_t axes, std::vector<PathPiece> pieces, std::vector<double> numbers)
-    : axes_(axes), pieces_(std::move(pieces)), numbers_(std::move(numbers)) {
+Path::Path(std::size_t axes, std::vector<PathPiece> pieces, std::vector<double> numbers,
+           std::vector<double> turns)
+    : axes_(axes),
+      pieces_(std::move(pieces)),
+      numbers_(std::move(numbers)),
+      turns_(std::move(turns)) {
   assert(!pieces_.empty());
   constexpr std::size_t most = std::numeric_limits<decltype(PathPiece::data)>::max();
-  if (numbers_.size() > most)
-    throw InputError("numbers", std::to_string(numbers_.size()),
+  if (const std::size_t count = std::max(numbers_.size(), turns_.size()); count > most)
+    throw InputError("numbers", std::to_string(count),
                      "must be at most " + std::to_string(most) + " in a path: divide the program");
 }
 
@@ -64,7 +68,7 @@ double Path::length() const {
 void Path::jets(std::size_t piece, double u, std::span<Jet> out) const {
   require_size("out", out.size(), axes_);
   const PathPiece& p = pieces_[piece];
-  const double* data = numbers_.data() + p.data;
+  const double* data = numbers(piece);
   const double s = u / p.length;
   switch (p.kind) {
     case PieceKind::line:
@@ -116,7 +120,7 @@ Point Path::point(std::size_t piece, double u) const {
 
 void Path::segments(std::size_t piece, std::size_t axis, std::vector<Segment>& out) const {
   const PathPiece& p = pieces_[piece];
-  const double* data = numbers_.data() + p.data;
+  const double* data = numbers(piece);
   if (p.kind == PieceKind::turn) {
     const TurnNumbers turn(data, axes_);
     turn_segments(turn.start(axis), turn.before(axis), turn.after(axis), p.length, turn.share(),

@@ -160,13 +160,12 @@ Route route_of(const Program& program) {
         empty.push_back(command.line);
         continue;
       }
-      std::array<double, 2 * max_axes> straight;
+      double* straight = append_blank(numbers, 2 * n);
       for (std::size_t i = 0; i < n; ++i) {
         straight[i] = at[i];
         straight[n + i] = to[i] - at[i];
         at[i] = to[i];
       }
-      append(numbers, straight.data(), 2 * n);
       if (!buffered && !joints.back().rests && continues(pieces, piece, numbers, n)) {
         PathPiece& whole = pieces.back();
         numbers.resize(piece.data);
@@ -226,12 +225,11 @@ void append_part(const Path& from, std::size_t k, double u0, double u1,
   // The share of the step: a difference of two places within the whole would have fewer digits.
   const double share = piece.length / whole.length;
   if (whole.kind == PieceKind::line) {
-    std::array<double, 2 * max_axes> line;
+    double* line = append_blank(numbers, 2 * n);
     for (std::size_t i = 0; i < n; ++i) {
       line[i] = data[i] + data[n + i] * s0;
       line[n + i] = data[n + i] * share;
     }
-    append(numbers, line.data(), 2 * n);
   } else if (whole.kind == PieceKind::curve) {
     const int degree = static_cast<int>(data[0]);
     const auto count = static_cast<std::size_t>(degree) + 1;

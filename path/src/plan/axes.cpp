@@ -199,7 +199,8 @@ void compose(const Path& path, const Cut& cut, std::size_t axis, const Jet& allo
 
 }  // namespace
 
-AxesByStretch::AxesByStretch(const Plan& plan, double tolerance) : plan_(plan) {
+AxesByStretch::AxesByStretch(const Plan& plan, double tolerance)
+    : plan_(plan), next_(plan.law().stretches().begin()) {
   require_positive("tolerance", tolerance);
   for (std::size_t i = 0; i < plan.given().limits.axes.size(); ++i)
     allowed_.push_back(allowed_error(lowest_limits(plan.given(), i), tolerance));
@@ -220,9 +221,8 @@ double AxesByStretch::offset_of(const LawInterval& stretch) const {
 }
 
 bool AxesByStretch::next() {
-  const auto stretches = plan_.law().stretches();
-  if (next_ == stretches.size()) return false;
-  const LawInterval& stretch = stretches[next_++];
+  if (next_ == plan_.law().stretches().end()) return false;
+  const LawInterval stretch = *next_++;
   for (std::vector<Segment>& segments : segments_) segments.clear();
   for (std::vector<std::size_t>& pieces : piece_of_) pieces.clear();
   const Path& path = plan_.path();

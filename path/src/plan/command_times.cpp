@@ -14,12 +14,13 @@ using profiles_detail::rounded_sum;
 /// The time at which the axes first are at q. Near a rest q hardly depends on time; if a stretch
 /// ends at q except for rounding, the result is its end.
 double first_time_at(const TimingLaw& law, double q) {
-  const auto stretches = law.stretches();
-  const double rounding = rounded_sum * (stretches.back().start + stretches.back().length);
+  const LawStretches& stretches = law.stretches();
+  const LawInterval last = stretches.back();
+  const double rounding = rounded_sum * (last.start + last.length);
   if (q <= rounding) return 0;
-  const auto stretch =
-      std::lower_bound(stretches.begin(), stretches.end() - 1, q - rounding,
-                       [](const LawInterval& s, double at) { return s.start + s.length < at; });
+  const auto ends_before = [&](const LawInterval& s) { return s.start + s.length < q - rounding; };
+  auto stretch = stretches.last_where(ends_before);
+  if (ends_before(*stretch) && stretch.index() + 1 < stretches.size()) ++stretch;
   double low = stretch->time;
   double high = stretch->time + stretch->duration;
   if (stretch->start + stretch->length <= q + rounding) return high;

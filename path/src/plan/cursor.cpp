@@ -47,8 +47,9 @@ namespace {
 
 /// True at the end of a law that ends at the end of the path. Its distance is a sum: without rounding, the last piece
 /// ends there.
-bool is_at_end(const Path& path, const TimingLaw& law, const LawInterval& interval, double t) {
-  return t >= interval.time + interval.duration && &interval == &law.stretches().back() &&
+bool is_at_end(const Path& path, const TimingLaw& law, const LawStretches::Iterator& at, double t) {
+  const LawInterval& interval = *at;
+  return t >= interval.time + interval.duration && at.index() + 1 == law.stretches().size() &&
          interval.piece + interval.pieces == path.pieces().size() &&
          interval.start + interval.length >= path.length() * (1 - profiles_detail::rounded_sum);
 }
@@ -57,7 +58,8 @@ bool is_at_end(const Path& path, const TimingLaw& law, const LawInterval& interv
 
 void Plan::at(double t, std::span<Motion> out) const {
   require_size("out", out.size(), path_.axes());
-  const LawInterval& interval = law_.stretches()[law_.stretch_at(t)];
+  const LawStretches::Iterator at_t = law_.find(t);
+  const LawInterval& interval = *at_t;
   const Motion q = motion_in(interval, t - interval.time);
   const auto pieces = path_.pieces();
   std::size_t piece = interval.piece;
@@ -67,29 +69,27 @@ void Plan::at(double t, std::span<Motion> out) const {
     piece = piece_at(pieces, interval, at);
     u = at - pieces[piece].start;
   }
-  if (is_at_end(path_, law_, interval, t)) u = pieces[piece = pieces.size() - 1].length;
+  if (is_at_end(path_, law_, at_t, t)) u = pieces[piece = pieces.size() - 1].length;
   compose(path_, piece, u, q, out);
 }
 
 /// Finds the interval of the law at t, which is usually the next one.
 void PlanCursor::seek(double t) {
   const TimingLaw& law = plan_->law();
-  const auto intervals = law.stretches();
-  const std::size_t next = interval_ + 1;
-  const bool follows = count_ > 0 && next < intervals.size() && t >= to_ &&
-                       (next + 1 == intervals.size() || t < intervals[next + 1].time);
-  interval_ = follows ? next : law.stretch_at(t);
   constexpr double none = std::numeric_limits<double>::infinity();
-  from_ = interval_ == 0 ? -none : intervals[interval_].time;
-  to_ = interval_ + 1 < intervals.size() ? intervals[interval_ + 1].time : none;
-  count_ = phases(intervals[interval_], phases_);
-  piece_ = intervals[interval_].piece;
+  const bool follows = count_ > 0 && to_ < none && t >= to_;
+  if (follows) ++interval_;
+  if (!follows || !(t < interval_.next_time())) interval_ = law.find(t);
+  from_ = interval_.index() == 0 ? -none : interval_->time;
+  to_ = interval_.next_time();
+  count_ = phases(*interval_, phases_);
+  piece_ = interval_->piece;
 }
 
 /// True if q is in this piece. The first and the last piece of the interval also include all q
 /// before and after them.
 bool PlanCursor::is_in_piece(double q, std::size_t piece) const {
-  const LawInterval& interval = plan_->law().stretches()[interval_];
+  const LawInterval& interval = *interval_;
   const auto pieces = plan_->path().pieces();
   return (piece == interval.piece || pieces[piece].start <= q) &&
          (piece + 1 == interval.piece + interval.pieces || q < pieces[piece + 1].start);
@@ -99,7 +99,7 @@ void PlanCursor::at(double t, std::span<Motion> out) {
   const Path& path = plan_->path();
   require_size("out", out.size(), path.axes());
   if (!(t >= from_ && t < to_)) seek(t);
-  const LawInterval& interval = plan_->law().stretches()[interval_];
+  const LawInterval& interval = *interval_;
   const Motion q = motion_of(std::span(phases_).first(count_), t - interval.time);
   const auto pieces = path.pieces();
   double u = q.position + (interval.start - pieces[interval.piece].start);
@@ -110,7 +110,7 @@ void PlanCursor::at(double t, std::span<Motion> out) {
       piece_ = piece_at(pieces, interval, at);
     u = at - pieces[piece_].start;
   }
-  if (is_at_end(path, plan_->law(), interval, t)) u = pieces[piece_ = pieces.size() - 1].length;
+  if (is_at_end(path, plan_->law(), interval_, t)) u = pieces[piece_ = pieces.size() - 1].length;
   compose(path, piece_, u, q, out);
 }
 

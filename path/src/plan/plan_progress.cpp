@@ -10,17 +10,19 @@ namespace {
 
 /// The q from which on the velocity only falls; a rest at the end is left out.
 double braking_from(const TimingLaw& law) {
-  const auto stretches = law.stretches();
-  double from = stretches.empty() ? 0 : stretches.back().start + stretches.back().length;
+  const LawStretches& stretches = law.stretches();
+  const LawInterval last = stretches.back();
+  double from = last.start + last.length;
   bool moves = false;
-  for (auto s = stretches.rbegin(); s != stretches.rend(); ++s) {
-    if (s->pieces == 0 && moves) break;
-    moves = moves || s->pieces > 0;
+  for (std::size_t i = stretches.size(); i-- > 0;) {
+    const LawInterval s = stretches[i];
+    if (s.pieces == 0 && moves) break;
+    moves = moves || s.pieces > 0;
     std::array<LawPhase, 7> phase;
-    for (std::size_t k = s->pieces == 0 ? 0 : phases(*s, phase); k-- > 0;) {
+    for (std::size_t k = s.pieces == 0 ? 0 : phases(s, phase); k-- > 0;) {
       const double mean = phase[k].acceleration + phase[k].jerk * phase[k].duration / 2;
       if (mean >= 0) return from;
-      from = s->start + phase[k].position;
+      from = s.start + phase[k].position;
     }
   }
   return from;

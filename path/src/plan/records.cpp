@@ -114,11 +114,8 @@ class Records {
 
   /// Velocity of the law at a place.
   [[nodiscard]] double velocity(double where) const {
-    const auto intervals = plan_.law().stretches();
-    const auto behind =
-        std::upper_bound(intervals.begin(), intervals.end(), where,
-                         [](double q, const LawInterval& s) { return q < s.start; });
-    const LawInterval& s = *(behind - 1);
+    const LawInterval s = *plan_.law().stretches().last_where(
+        [where](const LawInterval& stretch) { return stretch.start <= where; });
     if (s.v0 == s.peak && s.v1 == s.peak) return s.peak;
     double low = 0;  // within a longer ramp: by bisection of the time
     double high = s.duration;

@@ -343,7 +343,8 @@ class RunLaw {
     for (std::size_t k = 0; k + 1 < speeds_.q.size(); ++k)
       raw.push_back(
           {duration_of(speeds_, k), std::sqrt(speeds_.b[k]), std::sqrt(speeds_.b[k + 1])});
-    return stretches_of(plan_.path(), run_.piece, run_.pieces, averaged(raw, window_, run_.length));
+    return stretches_of(plan_.path(), run_.piece, run_.pieces, averaged(raw, window_, run_.length))
+        .unpacked();
   }
 
  private:
@@ -370,7 +371,8 @@ LawInterval slower(LawInterval s, double factor) {
 /// A plan with the laws of some runs replaced.
 class Refinement {
  public:
-  explicit Refinement(const Plan& plan) : plan_(plan), runs_(runs_of(plan.law().stretches())) {}
+  explicit Refinement(const Plan& plan)
+      : plan_(plan), stretches_(plan.law().stretches().unpacked()), runs_(runs_of(stretches_)) {}
 
   Plan run() {
     laws_.resize(runs_.size());
@@ -396,7 +398,7 @@ class Refinement {
   }
 
   [[nodiscard]] std::size_t nodes_of(const LawRun& run) const {
-    const auto stretches = plan_.law().stretches().subspan(run.begin, run.end - run.begin);
+    const auto stretches = std::span(stretches_).subspan(run.begin, run.end - run.begin);
     const bool window = std::any_of(stretches.begin(), stretches.end(),
                                     [](const LawInterval& s) { return s.is_phase(); });
     return std::max(least_nodes,
@@ -464,7 +466,7 @@ class Refinement {
   /// The plan of the run alone, on the same path.
   [[nodiscard]] Plan alone(const LawRun& run, std::vector<LawInterval> law) const {
     for (LawInterval& s : law) s.start += run.start;
-    return Plan(plan_.path(), TimingLaw(std::move(law)), {}, 0, plan_.given());
+    return Plan(plan_.path(), TimingLaw(law), {}, 0, plan_.given());
   }
 
   [[nodiscard]] Plan with(const std::vector<std::vector<LawInterval>>& laws) const {
@@ -476,11 +478,10 @@ class Refinement {
       all.push_back(s);
     };
     std::size_t next = 0;
-    const auto old = plan_.law().stretches();
-    for (std::size_t i = 0; i < old.size();) {
+    for (std::size_t i = 0; i < stretches_.size();) {
       if (next >= runs_.size() || i != runs_[next].begin || laws[next].empty()) {
         if (next < runs_.size() && i + 1 == runs_[next].end) ++next;
-        append(old[i++]);
+        append(stretches_[i++]);
         continue;
       }
       for (LawInterval s : laws[next]) {
@@ -490,11 +491,12 @@ class Refinement {
       i = runs_[next++].end;
     }
     const auto junctions = plan_.junctions();
-    return Plan(plan_.path(), TimingLaw(std::move(all)), {junctions.begin(), junctions.end()},
+    return Plan(plan_.path(), TimingLaw(all), {junctions.begin(), junctions.end()},
                 plan_.stop_duration(), plan_.given());
   }
 
   const Plan& plan_;
+  std::vector<LawInterval> stretches_;
   std::vector<LawRun> runs_;
   std::vector<std::vector<LawInterval>> laws_;  ///< one for each run; empty: that of the plan
 };

@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
+#include <string>
 
 #include "jounce/profiles/detail/large_pages.hpp"
 #include "jounce/profiles/detail/tolerances.hpp"
+#include "jounce/profiles/error.hpp"
 
 #include "path/src/timing/stretch.hpp"
 
@@ -137,38 +140,53 @@ std::size_t phases(const LawInterval& stretch, std::span<LawPhase, 7> out) {
   return count;
 }
 
-TimingLaw::TimingLaw(std::vector<LawInterval> stretches) : stretches_(std::move(stretches)) {
+TimingLaw::TimingLaw(LawStretches stretches) : stretches_(std::move(stretches)) {
   assert(!stretches_.empty());
-  constexpr std::size_t in_a_part = 4;
-  const std::size_t parts = stretches_.size() / in_a_part + 1;
+  constexpr std::size_t most = std::numeric_limits<decltype(LawStretches::Block::data)>::max();
+  if (stretches_.numbers() > most)
+    throw InputError("program", std::to_string(stretches_.numbers()) + " numbers",
+                     "must need at most " + std::to_string(most) +
+                         " numbers for its velocities: divide the program");
+  stretches_.shrink();
+  const std::span<const LawStretches::Block> blocks = stretches_.blocks_;
+  const std::size_t parts = blocks.size();
   parts_per_second_ = static_cast<double>(parts) / duration();
   profiles_detail::reserve_large(before_, parts + 1);
   before_.push_back(0);
-  for (std::size_t i = 0; i < stretches_.size(); ++i)
-    while (before_.size() <= part_at(stretches_[i].time, parts))
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+    while (before_.size() <= part_at(blocks[i].time, parts))
       before_.push_back(static_cast<std::uint32_t>(i));
-  before_.resize(parts + 1, static_cast<std::uint32_t>(stretches_.size()));
+  before_.resize(parts + 1, static_cast<std::uint32_t>(blocks.size()));
 }
 
-/// It ascends with t, also with rounding: so no interval before the part of t begins after t.
+namespace {
+
+LawStretches packed(const std::vector<LawInterval>& stretches) {
+  LawStretches all;
+  for (const LawInterval& s : stretches) all.push_back(s);
+  return all;
+}
+
+}  // namespace
+
+TimingLaw::TimingLaw(const std::vector<LawInterval>& stretches) : TimingLaw(packed(stretches)) {}
+
+/// It ascends with t, also with rounding: so no block before the part of t begins after t.
 std::size_t TimingLaw::part_at(double t, std::size_t parts) const {
   const double last = static_cast<double>(parts - 1);
   return static_cast<std::size_t>(std::min(std::max(0.0, t) * parts_per_second_, last));
 }
 
-double TimingLaw::duration() const {
-  return stretches_.back().time + stretches_.back().duration;
-}
-
-std::size_t TimingLaw::stretch_at(double t) const {
+LawStretches::Iterator TimingLaw::find(double t) const {
   const std::size_t part = part_at(t, before_.size() - 1);
   const std::size_t first = std::max<std::size_t>(1, before_[part]);
   const std::size_t last = std::max<std::size_t>(first, before_[part + 1]);
-  const auto from = stretches_.begin() + static_cast<std::ptrdiff_t>(first);
-  const auto to = stretches_.begin() + static_cast<std::ptrdiff_t>(last);
-  const auto it =
-      std::upper_bound(from, to, t, [](double x, const LawInterval& s) { return x < s.time; });
-  return static_cast<std::size_t>(it - stretches_.begin()) - 1;
+  const auto from = stretches_.blocks_.begin() + static_cast<std::ptrdiff_t>(first);
+  const auto to = stretches_.blocks_.begin() + static_cast<std::ptrdiff_t>(last);
+  const auto block = std::upper_bound(
+      from, to, t, [](double x, const LawStretches::Block& b) { return x < b.time; });
+  const auto number = static_cast<std::size_t>(block - stretches_.blocks_.begin()) - 1;
+  return stretches_.at(t, number);
 }
 
 Motion motion_of(std::span<const LawPhase> phases, double t) {
@@ -194,7 +212,8 @@ Motion motion_in(const LawInterval& stretch, double t) {
 }
 
 Motion TimingLaw::at(double t) const {
-  const LawInterval& stretch = stretches_[stretch_at(t)];
+  const auto here = find(t);
+  const LawInterval& stretch = *here;
   Motion m = motion_in(stretch, t - stretch.time);
   m.position = std::min(m.position, stretch.length) + stretch.start;
   return m;

@@ -15,10 +15,9 @@ namespace jounce {
 
 using profiles_detail::reserve_large;
 
-std::vector<LawInterval> stretches_of(const Path& path, std::size_t first, std::size_t count,
-                                      std::span<const LawPhase> phases) {
-  std::vector<LawInterval> law;
-  reserve_large(law, phases.size());
+LawStretches stretches_of(const Path& path, std::size_t first, std::size_t count,
+                          std::span<const LawPhase> phases) {
+  LawStretches law;
   double time = 0;
   std::size_t piece = first;
   const std::size_t last = first + count - 1;
@@ -43,9 +42,9 @@ std::vector<LawInterval> stretches_of(const Path& path, std::size_t first, std::
     while (to < last && end_of_piece(to) < s.start + s.length) ++to;
     s.pieces = static_cast<std::uint32_t>(to - piece + 1);
     time += h;
+    if (&p == &phases.back()) s.v1 = 0;  // exactly, without rounding
     law.push_back(s);
   }
-  law.back().v1 = 0;  // exactly, without rounding
   return law;
 }
 
@@ -54,8 +53,8 @@ namespace {
 using path_detail::unlimited;
 constexpr double reserve = 1 + 1e-9;  ///< for rounding of the times in an average
 
-double end_time(const std::vector<LawInterval>& law) {
-  return law.empty() ? unlimited : law.back().time + law.back().duration;
+double end_time(const LawStretches& law) {
+  return law.empty() ? unlimited : law.end_time();
 }
 
 /// The law of a window over the pieces of a run. Its accelerations and jerks are shares of the rest
@@ -97,7 +96,7 @@ class WindowLaw {
     jerk_ = std::min(jerk_, p.jerk);
   }
 
-  std::vector<LawInterval> run() {
+  LawStretches run() {
     if (!(acceleration_ < unlimited) || !(jerk_ < unlimited)) return {};
     double best = unlimited;
     double best_a = 0;
@@ -173,11 +172,11 @@ class Runs {
   }
 
   /// The faster of both laws.
-  [[nodiscard]] std::vector<LawInterval> fastest(std::vector<Unit> run) const {
+  [[nodiscard]] LawStretches fastest(std::vector<Unit> run) const {
     run.front().entry = unlimited;
     if (!is_curved(run)) return stations(std::move(run));
-    std::vector<LawInterval> law = stations(run);
-    std::vector<LawInterval> window = WindowLaw(path_, run, rates_, program_).run();
+    LawStretches law = stations(run);
+    LawStretches window = WindowLaw(path_, run, rates_, program_).run();
     return end_time(window) < end_time(law) ? window : law;
   }
 
@@ -269,7 +268,7 @@ struct Collected {
     time += dwell;
   }
 
-  void run(std::vector<LawInterval> law, const PathPiece& last) {
+  void run(LawStretches law, const PathPiece& last) {
     const double duration = end_time(law);
     if (laws.stretches.empty() && time == 0 && !times_only)
       laws.stretches = std::move(law);
@@ -300,7 +299,8 @@ Laws fastest_law(Rounded& rounded, const Rates& rates, const Program& program, c
   const auto rests = static_cast<std::size_t>(
       std::ranges::count_if(units, [](const Unit& unit) { return !(unit.entry > 0); }));
   reserve_large(made.laws.rests, rests + 1);
-  if (rests > 1 && !times_only) reserve_large(made.laws.stretches, units.size());
+  if (rests > 1 && !times_only)
+    made.laws.stretches.reserve(units.size(), LawStretches::numbers_of_ramps * units.size());
   for (std::size_t i = 0; i < units.size();) {
     rates.require_wanted();
     std::size_t last = i + 1;

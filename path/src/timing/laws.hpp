@@ -14,7 +14,7 @@ struct Rest {
 };
 
 struct Laws {
-  std::vector<LawInterval> stretches;
+  LawStretches stretches;
   std::vector<Rest> rests;  ///< the start, each stop, and the end
 };
 
@@ -25,8 +25,8 @@ Laws fastest_law(Rounded& rounded, const Rates& rates, const Program& program, c
 
 /// The stretches of a run of `count` pieces from `first` on, with one phase of constant jerk each.
 /// Times and places count from 0.
-std::vector<LawInterval> stretches_of(const Path& path, std::size_t first, std::size_t count,
-                                      std::span<const LawPhase> phases);
+LawStretches stretches_of(const Path& path, std::size_t first, std::size_t count,
+                          std::span<const LawPhase> phases);
 
 /// The times at which a motion that rests at each corner begins the given rests, and its duration.
 /// The motion rests at all of them; they ascend. `shapes`: shapes of the junctions.

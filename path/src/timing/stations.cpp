@@ -183,17 +183,21 @@ Unit joined(const Unit& a, const Unit& b) {
   return unit;
 }
 
-/// Joins units with the same box if nothing limits the velocity between them.
-void join_alike(std::vector<Unit>& units) {
+/// Joins units with the same box if nothing limits the velocity between them. Returns the number of units at constant
+/// velocity.
+std::size_t join_alike(std::vector<Unit>& units) {
   std::size_t last = 0;
+  std::size_t constant = units.front().box.constant ? 1 : 0;
   for (std::size_t k = 1; k < units.size(); ++k) {
     const Unit& unit = units[k];
+    if (unit.box.constant) ++constant;
     if (unit.entry >= unit.box.velocity && unit.entry > 0 && alike(units[last].box, unit.box))
       units[last] = joined(units[last], unit);
     else if (++last != k)
       units[last] = unit;
   }
   units.resize(last + 1);
+  return constant;
 }
 
 /// True if one ramp over both units may be faster: they meet at v, which both boxes exceed.
@@ -202,24 +206,25 @@ bool may_join(const Unit& before, const Unit& unit, double v) {
          v < std::min(unit.box.velocity, before.box.velocity) * (1 - rounded_input);
 }
 
-std::vector<LawInterval> timed(const std::vector<Unit>& units, const std::vector<double>& v) {
-  std::vector<LawInterval> law;
-  reserve_large(law, units.size());
-  double time = 0;
-  double start = 0;
+/// `constant`: number of units at constant velocity.
+LawStretches timed(const std::vector<Unit>& units, const std::vector<double>& v,
+                   std::size_t constant) {
+  LawStretches law;
+  law.reserve(units.size(), constant * LawStretches::numbers_at_constant_velocity +
+                                (units.size() - constant) * LawStretches::numbers_of_ramps);
+  LawInterval s;
   for (std::size_t k = 0; k < units.size(); ++k) {
-    LawInterval& s = path_detail::append_blank(law);
     write_stretch(units[k], v[k], v[k + 1], s);
-    s.time = time;
-    s.start = start;
-    time += s.duration;
-    start += s.length;
+    law.push_back(s);
+    s.time += s.duration;
+    s.start += s.length;
   }
   return law;
 }
 
-double end_of(const std::vector<LawInterval>& law) {
-  return law.back().time + law.back().duration;
+std::size_t count_constant(const std::vector<Unit>& units) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(units, [](const Unit& unit) { return unit.box.constant; }));
 }
 
 bool may_join_any(const std::vector<Unit>& units, const std::vector<double>& v) {
@@ -233,15 +238,15 @@ bool may_join_any(const std::vector<Unit>& units, const std::vector<double>& v) 
 class Joins {
  public:
   /// `v`: velocities at the ends of the units; `law`: their stretches.
-  Joins(std::vector<Unit> units, std::vector<double> v, std::span<const LawInterval> law,
-        std::size_t most)
+  Joins(std::vector<Unit> units, std::vector<double> v, const LawStretches& law, std::size_t most)
       : units_(std::move(units)), v_(std::move(v)) {
     known_ = path_detail::with_kept_memory<Known>(units_.size());
-    for (std::size_t k = 0; k < units_.size(); ++k) {
+    auto stretch = law.begin();
+    for (std::size_t k = 0; k < units_.size(); ++k, ++stretch) {
       Known& known = path_detail::append_blank(known_);
       known.v0 = v_[k];
       known.v1 = v_[k + 1];
-      known.duration = law[k].duration;
+      known.duration = stretch->duration;
       known.first = static_cast<std::uint32_t>(k);
     }
     run(most);
@@ -257,7 +262,7 @@ class Joins {
   }
 
   [[nodiscard]] double duration() const { return duration_; }
-  [[nodiscard]] std::vector<LawInterval> law() const { return timed(units_, v_); }
+  [[nodiscard]] LawStretches law() const { return timed(units_, v_, count_constant(units_)); }
 
  private:
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
@@ -369,10 +374,10 @@ LawInterval stretch_of(const Unit& unit, double v0, double v1) {
   return s;
 }
 
-std::vector<LawInterval> stations(std::vector<Unit> units) {
-  join_alike(units);
+LawStretches stations(std::vector<Unit> units) {
+  const std::size_t constant = join_alike(units);
   std::vector<double> v = velocities(units);
-  std::vector<LawInterval> best = timed(units, v);
+  LawStretches best = timed(units, v, constant);
   if (!may_join_any(units, v)) {
     path_detail::keep_memory(std::move(units));
     path_detail::keep_memory(std::move(v));
@@ -381,7 +386,7 @@ std::vector<LawInterval> stations(std::vector<Unit> units) {
   const Joins gradual(units, v, best, 2);
   const Joins at_once(std::move(units), std::move(v), best, not_limited);
   const Joins& faster = at_once.duration() < gradual.duration() ? at_once : gradual;
-  if (!(faster.duration() < end_of(best))) return best;
+  if (!(faster.duration() < best.end_time())) return best;
   best = {};
   return faster.law();
 }

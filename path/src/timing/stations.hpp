@@ -25,6 +25,6 @@ LawInterval stretch_of(const Unit& unit, double v0, double v1);
 
 /// The law with stations at the ends of the units, from rest to rest. Times and places count from 0
 /// (docs/path/README.md, "Stations").
-std::vector<LawInterval> stations(std::vector<Unit> units);
+LawStretches stations(std::vector<Unit> units);
 
 }  // namespace jounce

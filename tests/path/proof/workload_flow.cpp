@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // A plan that is held, resumed, overridden or driven back: its path stays the same.
-#include <algorithm>
 
 #include "jounce/path/hold.hpp"
 #include "jounce/path/override.hpp"
@@ -15,22 +14,6 @@ Case any(Random& r) {
   return kind < 5 ? lines(r) : kind < 7 ? arcs(r) : averages(r);
 }
 
-/// True if both plans have one path, bit by bit.
-bool same_path(const Plan& a, const Plan& b) {
-  const auto p = a.path().pieces();
-  const auto q = b.path().pieces();
-  if (p.size() != q.size() || a.path().bytes() != b.path().bytes()) return false;
-  for (std::size_t k = 0; k < p.size(); ++k) {
-    if (p[k].start != q[k].start || p[k].length != q[k].length || p[k].kind != q[k].kind)
-      return false;
-    const std::size_t end = k + 1 < p.size() ? p[k + 1].data : p[k].data;
-    if (!std::equal(a.path().numbers(k), a.path().numbers(k) + (end - p[k].data),
-                    b.path().numbers(k)))
-      return false;
-  }
-  return true;
-}
-
 double end_of(const Plan& motion) {
   const LawInterval& last = motion.law().stretches().back();
   return last.start + last.length;
@@ -42,7 +25,7 @@ Outcome failed(const Case& c, const std::string& why, const std::string& comment
 
 std::string judge_hold(const Case& c, const Plan& made, double t, Worst& worst) {
   const Plan held = halted(made, t);
-  if (!same_path(held, made)) return "the path of the hold differs";
+  if (!(held.path() == made.path())) return "the path of the hold differs";
   if (std::string why = judge_motion(c, made, held, 0, worst); !why.empty()) return why;
   // Near its end, a stop covers j t^3 / 6: rounding of the place changes the time by its cube root.
   const double last = std::abs(held.law().stretches().back().jerk);
@@ -54,14 +37,14 @@ std::string judge_hold(const Case& c, const Plan& made, double t, Worst& worst) 
     return "does not follow the plan before the hold";
   if (end_of(held) >= made.path().length() * (1 - 1e-12)) return {};
   const Plan rest = resumed(made, held);
-  if (!same_path(rest, made)) return "the path of the rest differs";
+  if (!(rest.path() == made.path())) return "the path of the rest differs";
   return judge_motion(c, made, rest, end_of(held), worst);
 }
 
 std::string judge_override(const Case& c, const Plan& made,
                            const std::vector<FactorRequest>& factors, Worst& worst) {
   const Plan motion = played(made, factors);
-  if (!same_path(motion, made)) return "the path differs";
+  if (!(motion.path() == made.path())) return "the path differs";
   if (std::string why = judge_motion(c, made, motion, 0, worst); !why.empty()) return why;
   const double missing = made.path().length() - end_of(motion);
   return std::abs(missing) <= 1e-11 * made.path().length()

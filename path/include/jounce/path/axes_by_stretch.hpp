@@ -50,8 +50,8 @@ class AxesByStretch {
   [[nodiscard]] double offset_of(const LawInterval& stretch) const;
 
   const Plan& plan_;
-  std::size_t next_ = 0;  // the next stretch
-  Place last_;            // the end of the previous stretch
+  LawStretches::Iterator next_;  // the next stretch
+  Place last_;                   // the end of the previous stretch
   std::vector<std::optional<double>>
       ends_;  // ends of the last fits on this piece, one for each axis
   std::vector<Jet> allowed_, error_;

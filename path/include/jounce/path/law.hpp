@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <span>
 #include <vector>
 
@@ -34,6 +35,115 @@ struct LawInterval {
   [[nodiscard]] bool is_phase() const { return pieces > 0 && deceleration == 0; }
 };
 
+/// The stretches of a timing law in packed form. A stretch usually begins where the previous one ends, and a corner is
+/// passed at the velocity at which the line before it ends: only the numbers that do not follow in this way are stored.
+/// No bit is lost. Elements are values, so a reference to one is valid only until its iterator moves.
+///
+/// **Memory.** A ramp needs 50 bytes and a stretch at constant velocity 10; every eighth stretch needs 32 more.
+class LawStretches {
+  /// The start of a stretch. It is stored for the first stretch of each block.
+  struct Block {
+    double time = 0, start = 0, v0 = 0;
+    std::uint32_t piece = 0;
+    std::uint32_t data = 0;  ///< index of the first number of the stretch
+  };
+
+ public:
+  class Iterator {
+   public:
+    using iterator_category = std::input_iterator_tag;
+    using value_type = LawInterval;
+    using difference_type = std::ptrdiff_t;
+    using reference = const LawInterval&;
+    using pointer = const LawInterval*;
+
+    Iterator() = default;
+    reference operator*() const { return now_; }
+    pointer operator->() const { return &now_; }
+    Iterator& operator++();
+    Iterator operator++(int) {
+      Iterator before = *this;
+      ++*this;
+      return before;
+    }
+    bool operator==(const Iterator& other) const { return index_ == other.index_; }
+    [[nodiscard]] std::size_t index() const { return index_; }
+    /// Time of the next stretch, s; infinite for the last one.
+    [[nodiscard]] double next_time() const;
+
+   private:
+    friend class LawStretches;
+    Iterator(const LawStretches& of, std::size_t index, const Block& start)
+        : of_(&of),
+          index_(index),
+          data_(start.data),
+          now_{.time = start.time, .start = start.start, .v0 = start.v0, .piece = start.piece} {
+      read();
+    }
+    void read();
+
+    const LawStretches* of_ = nullptr;
+    std::size_t index_ = 0;
+    std::uint32_t data_ = 0;  ///< index of the first number of the next stretch
+    LawInterval now_;
+  };
+
+  /// Numbers that are usually stored of a stretch.
+  static constexpr std::size_t numbers_of_ramps = 6, numbers_at_constant_velocity = 1;
+
+  /// Reserves memory for so many stretches with so many stored numbers.
+  void reserve(std::size_t stretches, std::size_t numbers);
+  void push_back(const LawInterval& s);
+  /// Gives memory back that is not used, if it is more than an eighth.
+  void shrink();
+
+  [[nodiscard]] std::size_t size() const { return given_.size(); }
+  [[nodiscard]] bool empty() const { return given_.empty(); }
+  [[nodiscard]] Iterator begin() const { return from(0); }
+  [[nodiscard]] Iterator end() const;
+  [[nodiscard]] Iterator from(std::size_t index) const;
+  /// Returns the stretch at time t: the last one that begins at or before it. `block`: its block.
+  [[nodiscard]] Iterator at(double t, std::size_t block) const;
+  [[nodiscard]] LawInterval operator[](std::size_t index) const { return *from(index); }
+  [[nodiscard]] LawInterval front() const { return *begin(); }
+  [[nodiscard]] LawInterval back() const { return *from(size() - 1); }
+  /// Time at the end of the last stretch, s; 0 if there is none.
+  [[nodiscard]] double end_time() const { return end_.time; }
+  /// Returns all stretches.
+  [[nodiscard]] std::vector<LawInterval> unpacked() const;
+  /// Returns the last stretch for which `begins` is true, or the first one. `begins` is true up to a
+  /// stretch, and false after it.
+  template <class Begins>
+  [[nodiscard]] Iterator last_where(Begins begins) const {
+    std::size_t low = 0;
+    for (std::size_t high = blocks_.size(); high - low > 1;) {
+      const std::size_t middle = low + (high - low) / 2;
+      (begins(*from(middle * in_a_block)) ? low : high) = middle;
+    }
+    Iterator last = from(low * in_a_block);
+    for (Iterator next = last; ++next != end() && begins(*next);) last = next;
+    return last;
+  }
+
+  /// bytes
+  [[nodiscard]] std::size_t bytes() const {
+    return given_.size() * sizeof(std::uint16_t) + blocks_.size() * sizeof(Block) +
+           numbers_.size() * sizeof(double);
+  }
+  [[nodiscard]] std::size_t numbers() const { return numbers_.size(); }
+
+ private:
+  friend class TimingLaw;
+  static constexpr std::size_t in_a_block = 8;  ///< stretches
+
+  std::vector<std::uint16_t> given_;  ///< for each stretch, the numbers that are stored
+  std::vector<Block> blocks_;
+  std::vector<double> numbers_;
+  Block end_;  ///< the expected start of the next stretch
+
+  void push_unusual(const LawInterval& s);
+};
+
 /// A phase of constant jerk.
 struct LawPhase {
   double duration = 0;  ///< s
@@ -41,26 +151,31 @@ struct LawPhase {
          jerk = 0;  ///< at its start: q from the start of the stretch, q/s, q/s^2, q/s^3
 };
 
-/// A timing law: q as a function of time. Piecewise cubic, with continuous acceleration; 92 bytes
-/// for each stretch.
+/// A timing law: q as a function of time. Piecewise cubic, with continuous acceleration.
 class TimingLaw {
  public:
-  explicit TimingLaw(std::vector<LawInterval> stretches);
+  /// Throws InputError for more than 2^32 - 1 stored numbers.
+  explicit TimingLaw(LawStretches stretches);
+  explicit TimingLaw(const std::vector<LawInterval>& stretches);
 
-  [[nodiscard]] double duration() const;  ///< s
-  [[nodiscard]] std::span<const LawInterval> stretches() const { return stretches_; }
+  [[nodiscard]] double duration() const { return stretches_.end_time(); }  ///< s
+  [[nodiscard]] const LawStretches& stretches() const { return stretches_; }
   /// Returns q and its derivatives at time t (s) in [0, duration()].
   [[nodiscard]] Motion at(double t) const;
-  [[nodiscard]] std::size_t stretch_at(double t) const;  ///< index of the stretch at time t, s
+  /// Returns the stretch at time t, s.
+  [[nodiscard]] LawStretches::Iterator find(double t) const;
   /// Returns q as a curve over time.
   [[nodiscard]] Trajectory curve() const;
+  [[nodiscard]] std::size_t bytes() const {
+    return stretches_.bytes() + before_.size() * sizeof(std::uint32_t);
+  }
 
  private:
   [[nodiscard]] std::size_t part_at(double t, std::size_t parts) const;
 
-  std::vector<LawInterval> stretches_;
-  /// The duration in equal parts: the number of stretches that begin before each part, and before
-  /// the end.
+  LawStretches stretches_;
+  /// The duration in equal parts: the number of blocks that begin before each part, and before the
+  /// end.
   std::vector<std::uint32_t> before_;
   double parts_per_second_ = 0;
 };

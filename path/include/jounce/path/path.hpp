@@ -30,7 +30,7 @@ struct PathPiece {
 
   double start = 0;        ///< q at its start
   double length = 0;       ///< length in q
-  std::uint32_t data = 0;  ///< index of its first number
+  std::uint32_t data = 0;  ///< index of its first number among those of the turns, or of the others
   /// Source line: for joined lines, the line of the first one; for a corner, the line of the
   /// command after the corner.
   std::int32_t line = 0;
@@ -38,6 +38,8 @@ struct PathPiece {
   PieceKind kind = PieceKind::line;
   /// For a corner: index of the settings of the command before it.
   std::uint32_t settings_before : 24 = 0;
+
+  bool operator==(const PathPiece&) const = default;
 };
 
 /// The path of a group of axes: one curve for each axis as a function of the path parameter q.
@@ -46,28 +48,32 @@ struct PathPiece {
 /// that it replaces. So a path of lines has the same length in q with and without rounded corners.
 /// On a turn, |r'| <= 1, where r is the position on the path.
 ///
-/// **Memory.** A piece needs 32 bytes and, for n axes, 2n numbers for a line, 3n + 1 for a turn,
-/// 6n + 1 for a blend. curve() makes a Curve from these numbers.
+/// **Memory.** A piece needs 32 bytes and, for n axes, 2n numbers for a line, 2n + 1 for a turn (n
+/// more for the first one, and behind a piece that is no line), 6n + 1 for a blend. curve() makes a
+/// Curve from these numbers.
 class Path {
  public:
-  /// Used by plan(), which makes paths. Throws InputError for more than 2^32 - 1 numbers.
-  Path(std::size_t axes, std::vector<PathPiece> pieces, std::vector<double> numbers);
+  /// Used by plan(), which makes paths. `turns`: the numbers of the turns; `numbers`: those of all other
+  /// pieces. Throws InputError for more than 2^32 - 1 of either.
+  Path(std::size_t axes, std::vector<PathPiece> pieces, std::vector<double> numbers,
+       std::vector<double> turns = {});
 
   [[nodiscard]] std::size_t axes() const { return axes_; }
   [[nodiscard]] double length() const;  ///< in q
   [[nodiscard]] std::span<const PathPiece> pieces() const { return pieces_; }
-  /// Used by plan(), which uses the memory of a path again: the pieces and the numbers.
+  /// Used by plan(), which uses the memory of a path without turns again: the pieces and the numbers.
   [[nodiscard]] std::pair<std::vector<PathPiece>, std::vector<double>> release() && {
     return {std::move(pieces_), std::move(numbers_)};
   }
 
   /// Size of pieces and numbers, bytes.
   [[nodiscard]] std::size_t bytes() const {
-    return pieces_.size() * sizeof(PathPiece) + numbers_.size() * sizeof(double);
+    return pieces_.size() * sizeof(PathPiece) + (numbers_.size() + turns_.size()) * sizeof(double);
   }
   /// Returns the numbers of a piece. path/src/geometry/pieces.hpp defines their layout.
   [[nodiscard]] const double* numbers(std::size_t piece) const {
-    return numbers_.data() + pieces_[piece].data;
+    const PathPiece& p = pieces_[piece];
+    return (p.kind == PieceKind::turn ? turns_ : numbers_).data() + p.data;
   }
 
   /// Writes the position and three derivatives with respect to q of every axis to `out`, at the
@@ -83,10 +89,12 @@ class Path {
   /// Returns one axis as a function of q, from 0 to length(); it holds outside. Exact.
   [[nodiscard]] Curve<OverLength> curve(std::size_t axis) const;
 
+  bool operator==(const Path&) const = default;
+
  private:
   std::size_t axes_;
   std::vector<PathPiece> pieces_;
-  std::vector<double> numbers_;
+  std::vector<double> numbers_, turns_;
 };
 
 }  // namespace jounce

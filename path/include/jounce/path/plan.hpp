@@ -169,7 +169,8 @@ class PlanCursor {
 
   const Plan* plan_;
   double from_ = 0, to_ = 0;  ///< s, interval of the law that phases_ covers; empty at first
-  std::size_t interval_ = 0, count_ = 0, piece_ = 0;
+  LawStretches::Iterator interval_;
+  std::size_t count_ = 0, piece_ = 0;
   std::array<LawPhase, 7> phases_{};
 };
 
