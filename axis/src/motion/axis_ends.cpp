@@ -8,7 +8,12 @@ namespace jounce {
 
 void MotionAxis::Impl::conclude() {
   if (state_ == State::homing) return;  // homing sets its state itself when it ends
-  switch (sequel_of(motion_, present(), now_.fault, inputs_.peers)) {
+  switch (sequel_of(motion_, {.tick = now_.tick,
+                              .searches = home_.running(),
+                              .velocity = now_.velocity,
+                              .most_velocity = *config_.limits.velocity,
+                              .fault = now_.fault,
+                              .peers = inputs_.peers})) {
     case Sequel::goes_on:
       return;
     case Sequel::rests:
@@ -93,7 +98,7 @@ void MotionAxis::Impl::fail(Cause cause, double value) {
   const bool on_it = reaction == Reaction::stop_on_path && on_path() && !motion_.above().running();
   motion_.path().forget_boundary();
   motion_.end_by(Ending::fault);
-  if (on_it && motion_.path().stop(motion_.request(present()))) return;
+  if (on_it && motion_.path().stop(request())) return;
   if (cause == Cause::positive_soft_limit || cause == Cause::negative_soft_limit) {
     const auto goal = stop_at_limit(cause, last(), dt(), config_);
     if (goal && adopt(*goal, 1)) return;

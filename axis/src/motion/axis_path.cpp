@@ -22,8 +22,8 @@ Cause MotionAxis::Impl::advance_path(Setpoint& next) {
     if (const Cause no = swap_at_boundary(); no != Cause::none) return no;
     time = motion_.path().time(now_.tick);
   }
-  motion_.path().govern(motion_.request(present()));
-  if (motion_.ending() != Ending::fault && motion_.path().starves(motion_.request(present())))
+  motion_.path().govern(request());
+  if (motion_.ending() != Ending::fault && motion_.path().starves(request()))
     return Cause::underrun;
   if (motion_.path()->growing() && time.s > motion_.path()->known()) return Cause::jump;
   const bool swaps = slot_.armed().waiting() && slot_.armed().when() == StartAt::master_position;
@@ -45,7 +45,7 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::start_at_end() {
   if (auto no = against_start_at_end(slot_.armed(), motion_, present(), config_)) return no;
   slot_.accept(StartAt::end_of_table, 0, 0, now_.tick);
   if (motion_.is_live()) return std::nullopt;
-  motion_.path().follow(motion_.request(present()));
+  motion_.path().follow(request());
   motion_.path().swap_at_end(now_.tick);
   return std::nullopt;
 }
@@ -95,7 +95,7 @@ void MotionAxis::Impl::swap(double boundary, MotionState end) {
   motion_.path().take_over(*begun.movement(), now_.tick, boundary);
   ++now_.finished;
   motion_.above().clear_finished();
-  motion_.path().follow(motion_.request(present()));
+  motion_.path().follow(request());
   enter(begun);
 }
 

@@ -53,7 +53,7 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::start(const command::Start& what) 
   }
   const StartAt when = what.when == StartAt::end_of_table ? StartAt::tick : what.when;
   slot_.accept(when, std::max(what.tick, now_.tick), what.position, now_.tick);
-  if (swaps) motion_.path().follow(motion_.request(present()));
+  if (swaps) motion_.path().follow(request());
   return std::nullopt;
 }
 

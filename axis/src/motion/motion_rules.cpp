@@ -90,7 +90,7 @@ std::optional<Refusal> against_extension(const command::Extend& what, const Play
 
 namespace {
 
-Sequel sequel_of_move(const PlayedMotion& motion, const MotionNow& now) {
+Sequel sequel_of_move(const PlayedMotion& motion, const SequelInputs& now) {
   const OwnMove& own = motion.own();
   if (!own.player().is_over(now.tick)) return Sequel::goes_on;
   if (motion.ends()) return Sequel::rests;
@@ -99,10 +99,10 @@ Sequel sequel_of_move(const PlayedMotion& motion, const MotionNow& now) {
   return own.waiting().empty() ? Sequel::goes_on : Sequel::next;
 }
 
-Sequel sequel_of_coupling(const PlayedMotion& motion, const MotionNow& now) {
+Sequel sequel_of_coupling(const PlayedMotion& motion, const SequelInputs& now) {
   if (motion.live()->progress() != Progress::done) return Sequel::goes_on;
-  const double still = profiles_detail::rounded_input * *now.rules.limits.velocity;  // rounding
-  if (!(std::abs(now.last.velocity) > still)) return Sequel::rests;
+  const double still = profiles_detail::rounded_input * now.most_velocity;  // rounding
+  if (!(std::abs(now.velocity) > still)) return Sequel::rests;
   return motion.live()->keeps_velocity() ? Sequel::keeps_velocity : Sequel::brakes;
 }
 
@@ -117,12 +117,11 @@ Sequel sequel_of_path(const PlayedMotion& motion, std::int64_t tick, Cause fault
 
 }  // namespace
 
-Sequel sequel_of(const PlayedMotion& motion, const MotionNow& now, Cause fault,
-                 Peers peers) noexcept {
+Sequel sequel_of(const PlayedMotion& motion, const SequelInputs& now) noexcept {
   if (motion.is_move()) return sequel_of_move(motion, now);
-  if (motion.in_group()) return peers == Peers::landing ? Sequel::rests : Sequel::goes_on;
+  if (motion.in_group()) return now.peers == Peers::landing ? Sequel::rests : Sequel::goes_on;
   if (motion.is_live()) return sequel_of_coupling(motion, now);
-  return sequel_of_path(motion, now.tick, fault, is_of_group(peers));
+  return sequel_of_path(motion, now.tick, now.fault, is_of_group(now.peers));
 }
 
 Cause reason_to_rest(const PlayedMotion& motion, Cause fault) noexcept {

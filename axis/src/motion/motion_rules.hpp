@@ -52,9 +52,17 @@ enum class Sequel : std::uint8_t {
   keeps_velocity,  ///< a coupling has ended, and the axis keeps its velocity
   brakes,          ///< a coupling has ended, and the axis brakes
 };
-/// Returns the event after the last setpoint. `fault`: the latched fault. `peers`: Inputs::peers.
-Sequel sequel_of(const PlayedMotion& motion, const MotionNow& now, Cause fault,
-                 Peers peers) noexcept;
+/// The axis after a setpoint. u is the unit of the axis.
+struct SequelInputs {
+  std::int64_t tick = 0;       ///< the present tick
+  bool searches = false;       ///< a homing is in progress
+  double velocity = 0;         ///< present velocity, u/s
+  double most_velocity = 0;    ///< limit of the velocity, u/s
+  Cause fault = Cause::none;   ///< the latched fault
+  Peers peers = Peers::ready;  ///< Inputs::peers
+};
+/// Returns the event after the last setpoint.
+Sequel sequel_of(const PlayedMotion& motion, const SequelInputs& now) noexcept;
 
 /// Returns why a motion that rests has ended: Tick::reason. `fault`: the latched fault.
 Cause reason_to_rest(const PlayedMotion& motion, Cause fault) noexcept;

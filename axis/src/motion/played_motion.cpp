@@ -98,7 +98,8 @@ bool PlayedMotion::replan(const MotionNow& now) noexcept {
 /// The superimposed move comes to rest with the path, and resumes with it.
 bool PlayedMotion::replan_path(const MotionNow& now) noexcept {
   SuperimposedMove above = above_;
-  if (!above.hold(requested_rate(now.searches) == 0, bare_.tick) || !path_.follow(request(now)))
+  if (!above.hold(requested_rate(now.searches) == 0, bare_.tick) ||
+      !path_.follow(request(now.tick, now.searches, now.next)))
     return false;
   above_ = above;
   return true;

@@ -144,8 +144,9 @@ class PlayedMotion {
   /// The requested rate of the motion; a path may grant less.
   [[nodiscard]] double requested_rate(bool searches) const noexcept;
   /// The request to the path player.
-  [[nodiscard]] PathRequest request(const MotionNow& now) const noexcept {
-    return {now.tick, requested_rate(now.searches), above_.peaks(), now.next};
+  [[nodiscard]] PathRequest request(std::int64_t tick, bool searches,
+                                    const Movement* next) const noexcept {
+    return {tick, requested_rate(searches), above_.peaks(), next};
   }
 
   // ---- the own move

@@ -223,7 +223,7 @@ void MotionAxis::Impl::operate_outputs() {
                  .on_path = on_path(),
                  .disabled = state_ == State::disabled},
                 dt());
-  now_.switches = outputs_.switches();
+  outputs_.get_switches(now_.switches);
   now_.compare = outputs_.compare();
 }
 

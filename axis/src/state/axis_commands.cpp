@@ -192,7 +192,7 @@ MotionAxis::Impl::Rejection MotionAxis::Impl::end_motion(Ending ending, const Mo
     return std::nullopt;
   }
   state_ = stops ? State::stopping : State::discrete_motion;
-  if (on_path() && !motion_.above().running() && motion_.path().follow(motion_.request(present())))
+  if (on_path() && !motion_.above().running() && motion_.path().follow(request()))
     return std::nullopt;
   if (adopt({Goal::Kind::rest, 0, dynamics}, 1))
     now_.reason = Cause::none;

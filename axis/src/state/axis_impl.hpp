@@ -60,6 +60,9 @@ class MotionAxis::Impl {
   [[nodiscard]] MotionState last() const;
   [[nodiscard]] Moment moment() const { return {0, dt(), inputs_.master, inputs_.second_master}; }
   [[nodiscard]] MotionNow present() const;
+  [[nodiscard]] PathRequest request() const {
+    return motion_.request(now_.tick, home_.running(), slot_.waiting());
+  }
   [[nodiscard]] double dt() const { return seconds((now_.skipped + 1) * config_.period); }
 
   // axis_commands.cpp: commands

@@ -27,9 +27,7 @@ void AxisOutputs::step(const Places& at, double dt) {
   for (std::size_t k = 0; k < plane_axes_.size() && plane_axes_[k] < part_count_; ++k)
     places.plane[k] = {parts_[plane_axes_[k]][0], parts_[plane_axes_[k]][1]};
   outputs_.step(places, dt);
-  switches_ = outputs_.switches();
   if (at.is_group && at.disabled) path_outputs_.off();
-  path_outputs_.add_to(switches_);
 }
 
 }  // namespace jounce

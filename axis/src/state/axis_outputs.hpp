@@ -27,7 +27,7 @@ namespace jounce {
 ///     outputs.begin_tick();
 ///     outputs.put_out(*path, clock.at(tick), dt, is_group);      // if a path was played
 ///     outputs.step({.commanded = {p, v}}, ...);                  // once a tick
-///     tick.switches = outputs.switches();
+///     outputs.get_switches(tick.switches);
 ///
 /// Always true: the outputs belong to setpoints that were output. A position that changes without motion
 /// passes no switch and no point. The functions do not allocate, lock or throw.
@@ -84,8 +84,11 @@ class AxisOutputs {
   /// Computes the outputs of this tick. `dt`: time since the previous step, s.
   void step(const Places& at, double dt);
 
-  /// The outputs, with their edges in the last step.
-  [[nodiscard]] const SwitchStep& switches() const noexcept { return switches_; }
+  /// Sets `now` to the outputs, with their edges in the last step.
+  void get_switches(SwitchStep& now) const noexcept {
+    now = outputs_.switches();
+    path_outputs_.add_to(now);
+  }
   /// The output of the position compare, with its edges in the last step.
   [[nodiscard]] const CompareStep& compare() const { return outputs_.compare(); }
 
@@ -98,7 +101,6 @@ class AxisOutputs {
   bool has_master_ = false;  // true from the start of a cam to the next table without a cam
   std::array<Jet, max_axes> parts_{};
   std::size_t part_count_ = 0;
-  SwitchStep switches_;
 };
 
 }  // namespace jounce

@@ -86,7 +86,7 @@ TEST(PlayedMotion, AHeldMotionAndOneThatEndsRequestTheRate0) {
   motion.end_by(Ending::halt);
   EXPECT_TRUE(motion.ends());
   EXPECT_EQ(motion.requested_rate(false), 0);
-  EXPECT_EQ(motion.request(playing.at(11)).rate, 0);
+  EXPECT_EQ(motion.request(11, false, nullptr).rate, 0);
   EXPECT_TRUE(motion.conditions(playing.at(11)).stopping);
 }
 
@@ -199,9 +199,7 @@ TEST(MotionRules, AMoveRestsAtItsTargetAndGoesOnWhileItIsHeld) {
   Playing playing;
   PlayedMotion& motion = playing.motion;
   playing.play_move(50);
-  const auto sequel = [&](std::int64_t tick) {
-    return sequel_of(motion, playing.at(tick), Cause::none, Peers::ready);
-  };
+  const auto sequel = [&](std::int64_t tick) { return sequel_of(motion, {.tick = tick}); };
   EXPECT_EQ(sequel(600), Sequel::goes_on);
   EXPECT_EQ(sequel(611), Sequel::rests);
   EXPECT_EQ(reason_to_rest(motion, Cause::none), Cause::none);
@@ -217,8 +215,8 @@ TEST(MotionRules, AMoveRestsAtItsTargetAndGoesOnWhileItIsHeld) {
 TEST(MotionRules, AnAxisOfAGroupRestsWithItsGroup) {
   Playing playing;
   playing.motion.begin_group(10);
-  EXPECT_EQ(sequel_of(playing.motion, playing.at(11), Cause::none, Peers::led), Sequel::goes_on);
-  EXPECT_EQ(sequel_of(playing.motion, playing.at(11), Cause::none, Peers::landing), Sequel::rests);
+  EXPECT_EQ(sequel_of(playing.motion, {.tick = 11, .peers = Peers::led}), Sequel::goes_on);
+  EXPECT_EQ(sequel_of(playing.motion, {.tick = 11, .peers = Peers::landing}), Sequel::rests);
 }
 
 }  // namespace
