@@ -187,7 +187,7 @@ TEST(Siemens, ReadsAssignmentsOfScl) {
   EXPECT_EQ(file.table.columns().v, (std::vector<double>{0, -0.5, 0}));
   EXPECT_EQ(file.table.columns().a, (std::vector<double>{0, 0, 1e-5}));
   EXPECT_THAT(complaint(with(text, "kn[2].velocityRatio := -0.5;", "kn[2].velocityRatio := -0.5")),
-              HasSubstr("needs `;` before"));
+              HasSubstr("must be `;`"));
 }
 
 TEST(Siemens, HoldsFiftyOnePoints) {
