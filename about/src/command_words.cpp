@@ -128,8 +128,8 @@ std::string missing_option(const Options& given, const VerbInfo& verb) {
   return "";
 }
 
-/// The error of required words that are missing. The parser reports the first one: the required arguments that follow an
-/// argument are then missing, too, and so are the required options that are not among the words.
+/// The error of required words that are missing. The parser reports the first one: the required arguments that
+/// follow an argument are then missing, too, and so are the required options that are not among the words.
 std::string missing_words(const std::string& first, std::span<const char* const> given,
                           const VerbInfo& verb) {
   Options all;

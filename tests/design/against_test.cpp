@@ -218,7 +218,7 @@ TEST_F(Against, TheLimitsOfATableAloneAreBehindAMasterOfAGivenSpeed) {
     return test::error_of([&] { check(table, options); });
   };
   EXPECT_THAT(error({.limits = {"acceleration=3"}}), HasSubstr("add --master-velocity"));
-  EXPECT_THAT(error({.start = {.master_velocity = "900"}}), HasSubstr("or a limit over time"));
+  EXPECT_THAT(error({.start = {.master_velocity = "900"}}), HasSubstr("or to a limit over time"));
   EXPECT_THAT(error({.limits = {"jerk=0"}, .start = {.master_velocity = "900"}}),
               HasSubstr("must be greater than 0"));
   EXPECT_THAT(error({.limits = {"jerk=1"}, .start = {.master_velocity = "9 mm/s"}}),

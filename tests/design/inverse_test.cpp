@@ -60,18 +60,19 @@ TEST(InverseOfACam, ErrorsNameTheOptionAndWhatToDo) {
   };
   EXPECT_EQ(
       error({}),
-      "at: is missing: the inverse has 2 branches. Give a master position inside the one that "
+      "at: is missing: the cam has 2 rises and falls. Give a master position inside the one that "
       "you need (0 to 120, 180 to 300 deg), such as 60 deg");
   EXPECT_EQ(error({.at = "330"}),
             "at = 330 deg: must lie in a rise or fall of the slave, 0 to 120, 180 to 300 deg");
-  EXPECT_EQ(error({.at = "60"}),
-            "from: is missing: the branch begins where the slave is at rest, so the slope of the "
-            "inverse is infinite: give a position between 0 and 40 mm");
+  EXPECT_EQ(
+      error({.at = "60"}),
+      "from: is missing: the rise or fall begins where the slave is at rest, so the slope of the "
+      "inverse is infinite: give a position between 0 and 40 mm");
   EXPECT_EQ(error({.at = "60", .from = "0"}),
             "from = 0 mm: is where the slave is at rest, so the slope of the inverse is infinite: "
             "give a position between 0 and 40 mm");
   EXPECT_EQ(error({.at = "60", .from = "1", .to = "41"}),
-            "to = 41 mm: must lie within the branch, 0 to 40 mm");
+            "to = 41 mm: must lie within the rise or fall, 0 to 40 mm");
   EXPECT_EQ(error({.at = "60", .from = "5", .to = "4"}),
             "to = 4 mm: must be greater than --from = 5 mm");
   EXPECT_EQ(error({.at = "60", .from = "1", .to = "2", .tolerance = "-1"}),

@@ -112,7 +112,9 @@ std::string StReader::peek() {
 
 void StReader::expect(const std::string& wanted) {
   if (const std::string found = next(); found != wanted)
-    fail("", found, "must be `" + wanted + "`" + (found.empty() ? ": is the file complete?" : ""));
+    fail("", "",
+         "needs `" + wanted + "`" +
+             (found.empty() ? ": is the file complete?" : " before `" + found + "`"));
 }
 
 double StReader::number(const std::string& key) {

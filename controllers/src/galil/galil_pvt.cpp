@@ -42,12 +42,13 @@ std::vector<Exchanged> read_galil_pvt(const std::string& text, const Place& plac
     const auto pv = arguments_of(line, "PVA=", place);
     if (!pv) continue;
     if (pv->size() != 3)
-      place.fail(line.number, "PVA", line.text,
+      place.fail(line.number, "PVA", line.text.substr(line.text.find('=') + 1),
                  "must have three values: displacement, velocity, samples");
     const auto [p, v, t] = std::tuple((*pv)[0], (*pv)[1], (*pv)[2]);
     if (t == -1 && axis.lines.empty()) continue;
     if (ended)
-      place.fail(line.number, "PVA", line.text, "follows the end of the motion: remove it");
+      place.fail(line.number, "PVA", line.text.substr(line.text.find('=') + 1),
+                 "follows the end of the motion: remove it");
     if (t == 0 && p == 0 && v == 0) {
       ended = true;
       continue;

@@ -66,7 +66,7 @@ const Inverse& chosen(const Input& input, const Inversion& all, const std::optio
   if (all.branches.size() > 1)
     throw InputError(
         "at", "",
-        fmt::format("is missing: the inverse has {} branches. Give a master position "
+        fmt::format("is missing: the cam has {} rises and falls. Give a master position "
                     "inside the one that you need ({}{}), such as {}{}",
                     all.branches.size(), all.ranges_text(), unit,
                     rounded((all.branches[0].master_from() + all.branches[0].master_to()) / 2),
@@ -80,14 +80,15 @@ void require_motion_at(const Inverse& branch, double slave, Side side, const cha
                        const std::string& option, const std::string& unit) {
   if (slave < branch.start() || slave > branch.end())
     throw InputError(key, number(slave) + " " + unit,
-                     fmt::format("must lie within the branch, {} to {} {}", rounded(branch.start()),
-                                 rounded(branch.end()), unit));
+                     fmt::format("must lie within the rise or fall, {} to {} {}",
+                                 without_rounding(branch.start(), branch.end()),
+                                 without_rounding(branch.end(), branch.start()), unit));
   if (!std::isfinite(branch.at(slave, side).geo_velocity))
     throw InputError(
         key, option.empty() ? "" : number(slave) + " " + unit,
         fmt::format("{} where the slave is at rest, so the slope of the inverse is "
                     "infinite: give a position between {} and {} {}",
-                    option.empty() ? "is missing: the branch " +
+                    option.empty() ? "is missing: the rise or fall " +
                                          std::string(side == Side::right ? "begins" : "ends")
                                    : "is",
                     rounded(branch.start()), rounded(branch.end()), unit));

@@ -126,7 +126,9 @@ Measurement from_table(const Input& input, const FitOptions& options) {
     throw InputError("FILE", design_detail::file_name(input),
                      "is a table over time: fit reads cams, over a master");
   if (options.tolerance.empty())
-    throw InputError("tolerance", "", "is missing: give the greatest distance from the table");
+    throw InputError(
+        "tolerance", "",
+        "is missing: give the greatest distance from the table, such as --tolerance 20um");
   Measurement m;
   m.units = units_of(input.table.units, options);
   m.rule = table.rule();

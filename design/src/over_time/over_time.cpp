@@ -117,13 +117,17 @@ std::string master_speed_text(const Spec& spec) {
 Input over(const std::string& what, Input input) {
   const bool is_cam = input.labels.over_master;
   if (what == "master" && !is_cam)
-    throw InputError("over", what,
-                     input.name + " is over time, without a master: leave out --over");
+    throw InputError(
+        "over", what,
+        design_detail::file_name(input) + " is over time, without a master: leave out --over");
   if (what != "time") return input;
   if (!is_cam)
-    throw InputError("over", what, input.name + " is over time already: leave out --over");
+    throw InputError("over", what,
+                     design_detail::file_name(input) + " is over time already: leave out --over");
   if (!input.spec)
-    throw InputError("over", what, input.name + " is a table, which has no master: give its spec");
+    throw InputError(
+        "over", what,
+        design_detail::file_name(input) + " is a table, which has no master: give its spec");
   return over_time(input);
 }
 

@@ -25,7 +25,8 @@ Trajectory master_of(const Input& input) {
   if (!input.spec)
     throw InputError("master", "",
                      "is missing: a cam table does not contain the motion of its master. Give the "
-                     "spec, or the motion of the master as a table over time (--master)")
+                     "spec of the cam, with [master]; `jounce stream` also takes the master as a "
+                     "table over time (--master)")
         .at(input.name);
   return make_master(*input.spec);
 }

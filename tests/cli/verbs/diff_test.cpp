@@ -34,8 +34,8 @@ TEST_F(DiffVerb, ComparesGCodePrograms) {
   const Result without = run("diff a.ngc b.ngc");
   EXPECT_EQ(without.status, 2);
   EXPECT_THAT(without.err,
-              HasSubstr("or name that spec with --machine, an option of check, design, "
-                        "diff, plot, report, stream and validate"));
+              HasSubstr("or give that spec with --machine to check, design, diff, plot, report, "
+                        "stream or validate"));
 }
 
 TEST_F(DiffVerb, ListsTheChangesWithTheStatusOfDiff) {

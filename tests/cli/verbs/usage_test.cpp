@@ -70,7 +70,7 @@ TEST_F(Usage, AWrongValueIsReportedWithItsRule) {
   EXPECT_EQ(told("check " + cam + " --continuity 4"),
             "jounce: --continuity = 4: must be a whole number from 0 to 3\n");
   EXPECT_EQ(told("convert " + cam + " x.csv --most -3"),
-            "jounce: --most = -3: must be a whole number of at least 0\n");
+            "jounce: --most = -3: must be a whole number from 1 to 10000000\n");
   EXPECT_EQ(told("optimize " + cam + " --seconds soon"),
             "jounce: --seconds = soon: must be a number\n");
   EXPECT_EQ(told("plot " + cam + " --over tiem"),

@@ -14,8 +14,8 @@ namespace jounce {
 /// the document, for an invalid disc, and for a spec without [disc].
 Disc make_disc(const Spec& spec, const Cam& cam);
 
-/// Returns the spec of an input that is a cam. Throws InputError for a table (key "SPEC", with the name of the file), and
-/// for a spec of another kind.
+/// Returns the spec of an input that is a cam. Throws InputError for a table (key "SPEC", with the name of
+/// the file), and for a spec of another kind.
 const Spec& cam_with_disc(const Input& input, const std::string& file);
 
 /// Returns check() of the disc, with the units of its findings.

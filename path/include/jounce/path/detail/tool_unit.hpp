@@ -9,7 +9,7 @@
 namespace jounce {
 
 /// Returns the error of a place on the path that the joints cannot take (key "point" or "start"), with the unit of its
-/// numbers: the plan knows only numbers. Other errors are unchanged.
+/// numbers: the plan has only numbers. Other errors are unchanged.
 inline InputError in_unit_of_tool(const InputError& error, const std::string& unit) {
   if (unit.empty() || (error.key() != "point" && error.key() != "start")) return error;
   std::string rule = error.rule();
