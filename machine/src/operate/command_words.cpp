@@ -444,8 +444,12 @@ double value_of(const CommandWords& words, const Form& form, const Field& field,
       return flag_of(words, option) ? 1 : 0;
     case OptionForm::blend:
       return buffer_mode_in(words, field);
-    case OptionForm::ratio:
-      return field.range.not_zero ? ratio_of(name, text).second : ratio_of(name, text).first;
+    case OptionForm::ratio: {
+      const auto [numerator, denominator] = ratio_of(name, text);
+      if (field.range.not_zero && denominator == 0)
+        throw InputError(name, text, "the " + std::string(field.name) + " must not be 0");
+      return field.range.not_zero ? denominator : numerator;
+    }
     case OptionForm::trigger_input:
       return input_of(text);
     case OptionForm::coordinates: {
