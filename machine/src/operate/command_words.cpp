@@ -576,7 +576,9 @@ namespace {
 /// "--to 5 or --by 5", the options for a value of a command without VALUE; "" if it has neither.
 std::string meant_distance(const std::vector<std::string>& taken, const std::string& text) {
   std::string options;
-  if (text.find_first_of("0123456789") == std::string::npos) return "";  // no number
+  const bool is_number = text.find_first_of("0123456789") != std::string::npos &&
+                         text.find_first_of(":=,") == std::string::npos;
+  if (!is_number) return "";
   for (const char* const option : {"to", "by"})
     if (std::find(taken.begin(), taken.end(), option) != taken.end())
       options += (options.empty() ? "" : " or ") + dashed(option) + " " + text;
