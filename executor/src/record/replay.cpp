@@ -401,10 +401,7 @@ Replay replay(std::istream& in, const std::string& name,
                  ": copy the record again from the machine, or end its run first");
   Replay result = replayer.finish(reader.cut());
   if (result.axes.empty())
-    throw InputError("", "",
-                     std::string("is not a record of `jounce run --record`: it ") +
-                         (reader.events() == 0 ? "is empty" : "has no axis"))
-        .at(name);
+    throw InputError("", "", "is not a record of `jounce run --record`: it has no axis").at(name);
   return result;
 }
 

@@ -134,8 +134,8 @@ std::array<double, max_axes> positions_of(const std::vector<NamedValue>& given,
                            ": give all coordinates, or all joints");
     if (!k)
       throw InputError("VALUE", name + "=" + value,
-                       "is not one of " + listed(parts, &AxisPart::name) + ", and not one of " +
-                           listed(others, &AxisPart::name) +
+                       "names " + name + ", which is not one of " + listed(parts, &AxisPart::name) +
+                           ", and not one of " + listed(others, &AxisPart::name) +
                            ": give all coordinates, or all joints");
     if (left == missing.end()) throw InputError("VALUE", name + "=" + value, "is given twice");
     missing.erase(left);

@@ -31,6 +31,8 @@ std::ifstream opened(const std::string& file) {
   std::error_code none;
   if (std::filesystem::is_directory(file, none))
     throw InputError("", "", "is a folder: name a file").at(file);
+  if (in.peek() == std::ifstream::traits_type::eof())
+    throw InputError("", "", "is empty: name a record of `jounce run --record`").at(file);
   return in;
 }
 
