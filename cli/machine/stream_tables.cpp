@@ -182,9 +182,7 @@ int stream_group(const StreamArguments& options) {
                                            {"--at-next-cut", options.at_next_cut},
                                            {"--relative", options.relative},
                                            {"--until", options.until != "start"}});
-  if (!alone.empty())
-    throw InputError("--to", options.to,
-                     "names several axes: omit " + alone + ", which is for one axis only");
+  if (!alone.empty()) throw InputError("--to", options.to, "names several axes: omit " + alone);
   const std::vector<std::string> names =
       with_option_names({"to"}, [&] { return executor_names(options.to); });
   std::vector<StreamPlan> plans;

@@ -2,9 +2,7 @@
 #pragma once
 
 #include <cstdint>
-#include <initializer_list>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "jounce/stream/sender/banks.hpp"
@@ -49,13 +47,5 @@ int stream_banks(const StreamArguments& options);    ///< --bank
 /// Plays two banks, and prints "WHAT at NAME: END".
 int play(const BankPlan& plan, const StreamArguments& options, BankOptions::Until until,
          const std::string& what, const std::string& end);
-
-/// The names of the options that are given, for a message: "--swap, --live"; "": none.
-inline std::string given_options(std::initializer_list<std::pair<const char*, bool>> options) {
-  std::string all;
-  for (const auto& [name, given] : options)
-    if (given) all += (all.empty() ? "" : ", ") + std::string(name);
-  return all;
-}
 
 }  // namespace jounce::cli

@@ -26,6 +26,7 @@ TEST(CommandWords, AreReadAsTheyAreMeant) {
               meant_words(Words{"run", "--log="});
             }),
             "--log: has no value after =");
+  EXPECT_THAT(meant_words(Words{"order", "--to=x="}), ElementsAre("order", "--to=x="));
   EXPECT_EQ(test::error_of([] {
               meant_words(Words{"run", "--log", ""});
             }),

@@ -187,9 +187,9 @@ TEST(CommandWords, AValueOfAWordWithoutOneNamesItsOption) {
 }
 
 TEST(CommandWords, AllWrongOptionsAreReported) {
-  const auto errors = [](const CommandWords& words, bool taken) {
+  const auto errors = [](const CommandWords& words) {
     try {
-      if (taken) require_taken(words);
+      require_taken(words);
       (void)command_of(words, mm);
     } catch (const InputError& error) {
       return all_sentences(error, "");
@@ -198,12 +198,12 @@ TEST(CommandWords, AllWrongOptionsAreReported) {
   };
   const std::map<std::string, std::string> units{
       {"master-sync", "3s"}, {"slave-sync", "9"}, {"start-distance", "5kg"}};
-  EXPECT_EQ(errors({.what = "gear-in-pos", .value = "1:0", .options = units}, true),
-            "VALUE = 1:0: must be two numbers other than 0, such as 3:2\n"
-            "--master-sync = 3s: s is not a unit of this quantity: give the value in mm\n"
-            "--start-distance = 5kg: kg is not a unit of this quantity: give the value in mm");
+  EXPECT_EQ(errors({.what = "gear-in-pos", .value = "1:0", .options = units}),
+            "VALUE = 1:0: the denominator must not be 0\n"
+            "--master-sync = 3s: s is not a unit of this quantity: give the value in deg\n"
+            "--start-distance = 5kg: kg is not a unit of this quantity: give the value in deg");
   EXPECT_EQ(
-      errors({.what = "gear-out", .options = {{"offset", "10"}, {"to", "5"}}}, true),
+      errors({.what = "gear-out", .options = {{"offset", "10"}, {"to", "5"}}}),
       "--offset = 10: does not apply to gear-out, which takes no value and no option but --at\n"
       "--to = 5: does not apply to gear-out, which takes no value and no option but --at");
 }

@@ -81,6 +81,12 @@ TEST(WordOrders, WhatACommandDoesNotHaveIsRejected) {
   EXPECT_THAT(rejection_of(R"({"axis":"a","what":"move","speed":"3"})"),
               HasSubstr("is not a member"));
   EXPECT_THAT(rejection_of(R"({"axis":5,"what":"move"})"), HasSubstr("must be a string"));
+  EXPECT_THAT(rejection_of(R"({"axis":"a","what":"move","flags":null})"),
+              HasSubstr("flags = null: must be a list of names"));
+  EXPECT_THAT(rejection_of(R"({"axis":"a","what":"override","value":"1","options":{"at":"5"}})"),
+              HasSubstr("at = 5: does not apply to a page"));
+  EXPECT_THAT(rejection_of(R"({"axis":"a","what":"move-direct","value":"y=5"})"),
+              HasSubstr("has the name of an axis: give --to y=5"));
 }
 
 }  // namespace

@@ -444,8 +444,12 @@ double value_of(const CommandWords& words, const Form& form, const Field& field,
       return flag_of(words, option) ? 1 : 0;
     case OptionForm::blend:
       return buffer_mode_in(words, field);
-    case OptionForm::ratio:
-      return field.range.not_zero ? ratio_of(name, text).second : ratio_of(name, text).first;
+    case OptionForm::ratio: {
+      const auto [numerator, denominator] = ratio_of(name, text);
+      if (field.range.not_zero && denominator == 0)
+        throw InputError(name, text, "the " + std::string(field.name) + " must not be 0");
+      return field.range.not_zero ? denominator : numerator;
+    }
     case OptionForm::trigger_input:
       return input_of(text);
     case OptionForm::coordinates: {
@@ -572,7 +576,9 @@ namespace {
 /// "--to 5 or --by 5", the options for a value of a command without VALUE; "" if it has neither.
 std::string meant_distance(const std::vector<std::string>& taken, const std::string& text) {
   std::string options;
-  if (text.find_first_of("0123456789") == std::string::npos) return "";  // no number
+  const bool is_number = text.find_first_of("0123456789") != std::string::npos &&
+                         text.find_first_of(":=,") == std::string::npos;
+  if (!is_number) return "";
   for (const char* const option : {"to", "by"})
     if (std::find(taken.begin(), taken.end(), option) != taken.end())
       options += (options.empty() ? "" : " or ") + dashed(option) + " " + text;

@@ -136,15 +136,15 @@ std::array<double, max_axes> positions_of(const std::vector<NamedValue>& given,
     const auto k = index_of_part(parts, name);
     const auto left = std::find(missing.begin(), missing.end(), name);
     if (!k && index_of_part(others, name))
-      throw InputError("VALUE", name,
+      throw InputError("VALUE", name + "=" + value,
                        "cannot be combined with " + first_of(given, parts) +
                            ": give all coordinates, or all joints");
     if (!k)
-      throw InputError("VALUE", name,
-                       "is not one of " + listed(parts, &AxisPart::name) + ", and not one of " +
-                           listed(others, &AxisPart::name) +
+      throw InputError("VALUE", name + "=" + value,
+                       "names " + name + ", which is not one of " + listed(parts, &AxisPart::name) +
+                           ", and not one of " + listed(others, &AxisPart::name) +
                            ": give all coordinates, or all joints");
-    if (left == missing.end()) throw InputError("VALUE", name, "is given twice");
+    if (left == missing.end()) throw InputError("VALUE", name + "=" + value, "is given twice");
     missing.erase(left);
     try {
       positions[*k] = quantity(value, parts[*k].units.position);

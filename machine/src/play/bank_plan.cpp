@@ -188,4 +188,11 @@ RowPlan row_plan(const std::string& executor, TableFile table, std::uint32_t ahe
           .rows = source_of(std::move(table.table))};
 }
 
+std::string given_options(const std::vector<std::pair<std::string, bool>>& options) {
+  std::string all;
+  for (const auto& [name, given] : options)
+    if (given) all += (all.empty() ? "" : ", ") + name;
+  return all;
+}
+
 }  // namespace jounce

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <optional>
 #include <set>
@@ -27,6 +28,11 @@ std::ifstream opened(const std::string& file) {
   std::ifstream in(file, std::ios::binary);
   if (!in)
     throw InputError("", "", "cannot be read: " + std::generic_category().message(errno)).at(file);
+  std::error_code none;
+  if (std::filesystem::is_directory(file, none))
+    throw InputError("", "", "is a folder: name a file").at(file);
+  if (in.peek() == std::ifstream::traits_type::eof())
+    throw InputError("", "", "is empty: name a record of `jounce run --record`").at(file);
   return in;
 }
 

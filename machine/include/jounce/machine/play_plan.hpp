@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "jounce/design/input.hpp"
@@ -88,5 +89,8 @@ std::vector<std::string> executor_names(const std::string& list);
 /// of the file for errors. Throws InputError (key "to") if an executor gets no axis.
 std::vector<Input> inputs_for(const std::vector<std::string>& executors,
                               const std::vector<Input>& axes, const std::string& path);
+
+/// The names of the options that are given, for a message: "--swap, --live"; "": none.
+std::string given_options(const std::vector<std::pair<std::string, bool>>& options);
 
 }  // namespace jounce
