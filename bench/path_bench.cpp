@@ -5,6 +5,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "jounce/base/detail/keep_freed_memory.hpp"
 #include "jounce/path/plan.hpp"
 #include "jounce/path/refine.hpp"
 
@@ -133,3 +134,10 @@ BENCHMARK(axes_of_a_plan)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace jounce
+
+int main(int argc, char** argv) {
+  jounce::keep_freed_memory();  // as the program does
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+  benchmark::RunSpecifiedBenchmarks();
+}

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "jounce/about/standard_streams.hpp"
+#include "jounce/base/detail/keep_freed_memory.hpp"
 #include "jounce/base/detail/printable.hpp"
 #include "jounce/base/input_errors.hpp"
 #include "jounce/stream/transport/transport.hpp"
@@ -45,6 +46,7 @@ int flushed(int status) {
 
 int main(int argc, char** argv) {
   using namespace jounce::cli;
+  jounce::keep_freed_memory();
   std::signal(SIGXFSZ,
               SIG_IGN);  // so write() reports a limit of the file size, like a full disk
   jounce::open_standard_streams();

@@ -67,8 +67,8 @@ inline double* append_blank(std::vector<double>& numbers, std::size_t count) {
   return numbers.data() + size;
 }
 
-/// Appends the n numbers before[n] of a turn, unless they are the direction after the last turn. Returns PathPiece::data
-/// of the turn.
+/// Appends the n numbers before[n] of a turn, unless they are the direction after the last turn. Returns
+/// PathPiece::data of the turn.
 inline std::uint32_t append_direction(std::vector<double>& turns, const double* before,
                                       std::size_t n) {
   const std::size_t size = turns.size();

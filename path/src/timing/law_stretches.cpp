@@ -24,27 +24,34 @@ namespace {
 
 using path_detail::unlimited;
 
-namespace given {
-enum : std::uint16_t {
-  time = 1U << 0U,
-  start = 1U << 1U,
-  v0 = 1U << 2U,
-  piece = 1U << 3U,
-  pieces = 1U << 4U,
-  v1 = 1U << 5U,
-  peak = 1U << 6U,
-  acceleration = 1U << 7U,
-  deceleration = 1U << 8U,
-  jerk = 1U << 9U,
-  duration = 1U << 10U,
-  usual_ramp = v1 | peak | acceleration | jerk | duration,
-  corner = 0,
+/// The numbers that are stored of a stretch, as bits.
+struct Given {
+  static constexpr std::uint16_t time = 1U << 0U;
+  static constexpr std::uint16_t start = 1U << 1U;
+  static constexpr std::uint16_t v0 = 1U << 2U;
+  static constexpr std::uint16_t piece = 1U << 3U;
+  static constexpr std::uint16_t pieces = 1U << 4U;
+  static constexpr std::uint16_t v1 = 1U << 5U;
+  static constexpr std::uint16_t peak = 1U << 6U;
+  static constexpr std::uint16_t acceleration = 1U << 7U;
+  static constexpr std::uint16_t deceleration = 1U << 8U;
+  static constexpr std::uint16_t jerk = 1U << 9U;
+  static constexpr std::uint16_t duration = 1U << 10U;
+  static constexpr std::uint16_t usual_ramp = v1 | peak | acceleration | jerk | duration;
+  static constexpr std::uint16_t corner = 0;
 };
-}  // namespace given
 
-/// The numbers of a usual ramp in their order.
-enum : std::size_t { length, v1, peak, acceleration, jerk, duration, of_ramp };
-static_assert(of_ramp == LawStretches::numbers_of_ramps);
+/// The places of the numbers of a usual ramp.
+struct RampNumbers {
+  static constexpr std::size_t length = 0;
+  static constexpr std::size_t v1 = 1;
+  static constexpr std::size_t peak = 2;
+  static constexpr std::size_t acceleration = 3;
+  static constexpr std::size_t jerk = 4;
+  static constexpr std::size_t duration = 5;
+  static constexpr std::uint32_t count = 6;
+};
+static_assert(RampNumbers::count == LawStretches::numbers_of_ramps);
 
 bool same(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
@@ -84,13 +91,13 @@ void LawStretches::push_back(const LawInterval& s) {
                        same(s.v0, end_.v0) && s.piece == end_.piece && s.pieces == 1 &&
                        same(s.deceleration, s.acceleration);
   if (follows && s.acceleration < unlimited) {
-    given_.push_back(given::usual_ramp);
+    given_.push_back(Given::usual_ramp);
     // One by one: a copy of a local array would wait until the processor has stored it.
     for (const double* number : {&s.length, &s.v1, &s.peak, &s.acceleration, &s.jerk, &s.duration})
       numbers_.push_back(*number);
   } else if (follows && same(s.acceleration, unlimited) && same(s.jerk, unlimited) &&
              same(s.v1, s.v0) && same(s.peak, s.v0) && same(s.duration, s.length / s.peak)) {
-    given_.push_back(given::corner);
+    given_.push_back(Given::corner);
     numbers_.push_back(s.length);
   } else {
     push_unusual(s);
@@ -108,18 +115,18 @@ void LawStretches::push_unusual(const LawInterval& s) {
     flags |= flag;
     numbers_.push_back(value);
   };
-  add(given::time, s.time, end_.time);
-  add(given::start, s.start, end_.start);
-  add(given::v0, s.v0, end_.v0);
-  add(given::piece, s.piece, end_.piece);
-  add(given::pieces, s.pieces, 1);
+  add(Given::time, s.time, end_.time);
+  add(Given::start, s.start, end_.start);
+  add(Given::v0, s.v0, end_.v0);
+  add(Given::piece, s.piece, end_.piece);
+  add(Given::pieces, s.pieces, 1);
   numbers_.push_back(s.length);
-  add(given::v1, s.v1, s.v0);
-  add(given::peak, s.peak, std::max(s.v0, s.v1));
-  add(given::acceleration, s.acceleration, unlimited);
-  add(given::deceleration, s.deceleration, s.acceleration);
-  add(given::jerk, s.jerk, unlimited);
-  add(given::duration, s.duration, expected_duration(s));
+  add(Given::v1, s.v1, s.v0);
+  add(Given::peak, s.peak, std::max(s.v0, s.v1));
+  add(Given::acceleration, s.acceleration, unlimited);
+  add(Given::deceleration, s.deceleration, s.acceleration);
+  add(Given::jerk, s.jerk, unlimited);
+  add(Given::duration, s.duration, expected_duration(s));
   given_.push_back(static_cast<std::uint16_t>(flags));
 }
 
@@ -138,17 +145,17 @@ void LawStretches::Iterator::read() {
   const double* from = of_->numbers_.data() + data_;
   const std::uint32_t flags = of_->given_[index_];
   s.pieces = 1;
-  if (flags == given::usual_ramp) {
-    s.length = from[length];
-    s.v1 = from[v1];
-    s.peak = from[peak];
-    s.acceleration = s.deceleration = from[acceleration];
-    s.jerk = from[jerk];
-    s.duration = from[duration];
-    data_ += of_ramp;
+  if (flags == Given::usual_ramp) {
+    s.length = from[RampNumbers::length];
+    s.v1 = from[RampNumbers::v1];
+    s.peak = from[RampNumbers::peak];
+    s.acceleration = s.deceleration = from[RampNumbers::acceleration];
+    s.jerk = from[RampNumbers::jerk];
+    s.duration = from[RampNumbers::duration];
+    data_ += RampNumbers::count;
     return;
   }
-  if (flags == given::corner) {
+  if (flags == Given::corner) {
     s.length = *from;
     s.v1 = s.peak = s.v0;
     s.acceleration = s.deceleration = s.jerk = unlimited;
@@ -159,18 +166,18 @@ void LawStretches::Iterator::read() {
   const auto next = [&](std::uint32_t flag, double expected) {
     return (flags & flag) != 0 ? *from++ : expected;
   };
-  s.time = next(given::time, s.time);
-  s.start = next(given::start, s.start);
-  s.v0 = next(given::v0, s.v0);
-  s.piece = static_cast<std::uint32_t>(next(given::piece, s.piece));
-  s.pieces = static_cast<std::uint32_t>(next(given::pieces, 1));
+  s.time = next(Given::time, s.time);
+  s.start = next(Given::start, s.start);
+  s.v0 = next(Given::v0, s.v0);
+  s.piece = static_cast<std::uint32_t>(next(Given::piece, s.piece));
+  s.pieces = static_cast<std::uint32_t>(next(Given::pieces, 1));
   s.length = *from++;
-  s.v1 = next(given::v1, s.v0);
-  s.peak = next(given::peak, std::max(s.v0, s.v1));
-  s.acceleration = next(given::acceleration, unlimited);
-  s.deceleration = next(given::deceleration, s.acceleration);
-  s.jerk = next(given::jerk, unlimited);
-  s.duration = next(given::duration, expected_duration(s));
+  s.v1 = next(Given::v1, s.v0);
+  s.peak = next(Given::peak, std::max(s.v0, s.v1));
+  s.acceleration = next(Given::acceleration, unlimited);
+  s.deceleration = next(Given::deceleration, s.acceleration);
+  s.jerk = next(Given::jerk, unlimited);
+  s.duration = next(Given::duration, expected_duration(s));
   data_ = static_cast<std::uint32_t>(from - of_->numbers_.data());
 }
 
@@ -196,7 +203,7 @@ double LawStretches::Iterator::next_time() const {
   const std::size_t next = index_ + 1;
   if (next == of_->size()) return unlimited;
   if (next % in_a_block == 0) return of_->blocks_[next / in_a_block].time;
-  return (of_->given_[next] & given::time) != 0 ? of_->numbers_[data_] : now_.time + now_.duration;
+  return (of_->given_[next] & Given::time) != 0 ? of_->numbers_[data_] : now_.time + now_.duration;
 }
 
 LawStretches::Iterator LawStretches::end() const {
@@ -222,16 +229,16 @@ LawStretches::Iterator LawStretches::at(double t, std::size_t block) const {
   for (; index < last; ++index) {
     const double* from = numbers_.data() + data;
     const std::uint32_t flags = given_[index];
-    const bool ramp = flags == given::usual_ramp;
-    if (!ramp && flags != given::corner) break;
-    const double end = time + (ramp ? from[duration] : *from / v0);
+    const bool ramp = flags == Given::usual_ramp;
+    if (!ramp && flags != Given::corner) break;
+    const double end = time + (ramp ? from[RampNumbers::duration] : *from / v0);
     if (!(t >= end)) break;
-    if ((given_[index + 1] & given::time) != 0) break;
+    if ((given_[index + 1] & Given::time) != 0) break;
     time = end;
     start += *from;
-    if (ramp) v0 = from[v1];
+    if (ramp) v0 = from[RampNumbers::v1];
     ++piece;
-    data += ramp ? std::uint32_t{of_ramp} : 1;
+    data += ramp ? RampNumbers::count : 1;
   }
   Iterator at(*this, index, {time, start, v0, piece, data});
   while (at.index_ < last && t >= at.next_time()) ++at;
