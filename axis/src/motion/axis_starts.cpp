@@ -113,7 +113,7 @@ std::optional<MotionState> MotionAxis::Impl::state_at(const Moment& at, Cause& n
     next = motion_.live().at(at, now_.tick);
     if (motion_.live()->progress() == Progress::broken) no = motion_.live()->cause();
   } else {
-    no = advance(next);
+    no = advance(next, present());
   }
   if (no != Cause::none) return std::nullopt;
   motion_.above().add_to(next, now_.tick);

@@ -158,16 +158,16 @@ void MotionAxis::Impl::play() {
   constexpr int reactions = 3;  // stop on the path, then off it
   for (int i = 0; i < reactions && moving(); ++i) {
     Setpoint next;
+    const MotionNow now = present();
     const bool waits = motion_.is_live() && motion_.live()->progress() == Progress::waiting;
-    Cause wrong = advance(next);
+    Cause wrong = advance(next, now);
     master_.correct_slave(next.slave, motion_.follows_master());
     const MotionState bare = state_of(next);
     if (wrong == Cause::none) {
       motion_.above().add_to(next, now_.tick);
       // Braking after a fault passes without a check.
       if (!motion_.brakes_in_fault())
-        wrong =
-            supervise(state_of(next), motion_.supervised(now_.skipped, present()), home_.rules());
+        wrong = supervise(state_of(next), motion_.supervised(now_.skipped, now), home_.rules());
     }
     if (wrong == Cause::none) {
       motion_.put_out(bare, now_.tick);
@@ -176,24 +176,24 @@ void MotionAxis::Impl::play() {
     }
     if (waits && miss_event(wrong, next)) return;
     fail(wrong,
-         excess(wrong, state_of(next), motion_.supervised(now_.skipped, present()), home_.rules()));
+         excess(wrong, state_of(next), motion_.supervised(now_.skipped, now), home_.rules()));
   }
 }
 
-Cause MotionAxis::Impl::advance(Setpoint& next) {
+Cause MotionAxis::Impl::advance(Setpoint& next, const MotionNow& now) {
   if (on_path()) return advance_path(next);
   if (motion_.in_group()) return advance_group(next);
-  return motion_.is_live() ? advance_live(next) : advance_move(next);
+  return motion_.is_live() ? advance_live(next, now) : advance_move(next, now);
 }
 
-Cause MotionAxis::Impl::advance_live(Setpoint& next) {
+Cause MotionAxis::Impl::advance_live(Setpoint& next, const MotionNow& now) {
   const bool moved = inputs_.master[0] != master_.last()[0];
-  const Cause no = motion_.advance_live(next, now_.profile, moved, present());
+  const Cause no = motion_.advance_live(next, now_.profile, moved, now);
   return master_.fails(motion_.follows_master()) ? Cause::marks_lost : no;
 }
 
-Cause MotionAxis::Impl::advance_move(Setpoint& next) {
-  const OwnMove::Step step = motion_.own().advance(motion_.conditions(present()));
+Cause MotionAxis::Impl::advance_move(Setpoint& next, const MotionNow& now) {
+  const OwnMove::Step step = motion_.own().advance(motion_.conditions(now));
   if (step.dropped) now_.dropped = step.dropped;
   now_.finished += static_cast<std::uint64_t>(step.passed);
   if (step.passed > 0)

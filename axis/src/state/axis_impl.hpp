@@ -46,9 +46,9 @@ class MotionAxis::Impl {
   void see_renamed(const Inputs& before);
   void watch();
   void play();
-  Cause advance(Setpoint& next);
-  Cause advance_live(Setpoint& next);
-  Cause advance_move(Setpoint& next);
+  Cause advance(Setpoint& next, const MotionNow& now);
+  Cause advance_live(Setpoint& next, const MotionNow& now);
+  Cause advance_move(Setpoint& next, const MotionNow& now);
   void give_out(const Setpoint& next);
   void operate_outputs();
   void report();
