@@ -38,8 +38,8 @@ class System {
     }
     constexpr double pi = 3.14159265358979323846;
     define("mm", 1e-3, "m"), define("um", 1e-6, "m"), define("nm", 1e-9, "m"),
-        define("cm", 1e-2, "m"), define("in", 0.0254, "m"), define("ft", 0.3048, "m"),
-        define("yd", 0.9144, "m");
+        define("cm", 1e-2, "m"), define("in", 0.0254, "m"), define("inch", 1, "in"),
+        define("inches", 1, "in"), define("ft", 0.3048, "m"), define("yd", 0.9144, "m");
     define("deg", pi / 180, "rad"), define("rev", 2 * pi, "rad");
     define("arcmin", pi / 10800, "rad"), define("arcsec", pi / 648000, "rad");
     define("count", 1, "pulse"), define("inc", 1, "pulse");

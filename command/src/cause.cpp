@@ -318,8 +318,9 @@ constexpr std::array entries{
           "Enable, home or reset the axis, or wait for its standstill; then repeat the command."},
     Entry{Cause::axis_away, "axis_away",
           "An axis of the group is not where the path begins or continues.",
-          "Disable the group, which is not necessary after a fault of the group. Move the axis "
-          "there, enable the group, and repeat the command."},
+          "Before `start`, move the group there with `jounce order NAME move-linear`. Otherwise "
+          "disable the group, which is not necessary after a fault of the group, move the axis "
+          "there, and enable the group. Then repeat the command."},
     Entry{
         Cause::not_a_group, "not_a_group", "The name belongs to a single axis, not to a group.",
         "Use `jounce order NAME move --to POSITION`. For a table: choose one axis of the path with "

@@ -65,6 +65,8 @@ TEST(Quantity, ReportsErrorsWithPossibleValues) {
 TEST(Units, KnowTheInternationalFootAndYard) {
   EXPECT_DOUBLE_EQ(conversion("ft", "mm"), 304.8);
   EXPECT_DOUBLE_EQ(conversion("yd", "in"), 36);
+  EXPECT_DOUBLE_EQ(conversion("inch/s", "mm/s"), 25.4);
+  EXPECT_DOUBLE_EQ(conversion("inches", "in"), 1);
   EXPECT_DOUBLE_EQ(quantity("100 ft/min", "mm/s"), 508);
 }
 

@@ -119,6 +119,8 @@ TEST(Causes, TheValueIsReadFromTheTextWithItsLimit) {
 
 // A move to this place must be within the tolerance of the group: six digits were too few.
 TEST(Causes, ThePlaceOfAnAxisOfAGroupHasItsDigits) {
+  EXPECT_THAT(remedy_of_order(Cause::axis_away, CommandKind::start),
+              testing::HasSubstr("order NAME move-linear"));
   const std::vector<std::string> axes{"x"};
   EXPECT_THAT(text(Refusal{Cause::axis_away, 5.87051263, 8.02011724, 1}, "mm", "", axes),
               EndsWith(" x is at 5.87051 mm instead of 8.02011724 mm."));

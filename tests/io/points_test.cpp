@@ -65,7 +65,8 @@ TEST(Points, NameWhatIsWrongAndWhere) {
   EXPECT_EQ(complaint("time,position\n0,1\n1\n"),
             "p.csv:3: has 1 value, but the header has 2 columns");
   EXPECT_EQ(complaint("time,position\n0,1\n1,2,3\n"),
-            "p.csv:3: has 3 values, but the header has 2 columns");
+            "p.csv:3: has 3 values, but the header has 2 columns: if a value has a decimal comma, "
+            "separate the columns by semicolons");
   EXPECT_EQ(complaint("time,position\n0,0\n0,5,1,25\n"),
             "p.csv:3: has 4 values, but the header has 2 columns: decimal "
             "commas need "
@@ -90,6 +91,21 @@ TEST(Points, DoNotGuessWhichDecimalSignIsMeant) {
   EXPECT_EQ(complaint("time;position\n0;1,234,5\n"),
             "p.csv:2:3: position = 1,234,5: must be a finite number with one decimal comma and no "
             "thousands separator");
+}
+
+TEST(Points, NameTheSignThatOnlyLooksLikeAMinusSign) {
+  EXPECT_EQ(complaint("time;weg\n0;\u22121,5\n"),
+            "p.csv:2:3: weg = \u22121,5: begins with the typographic minus sign U+2212: write the "
+            "minus sign of the keyboard, -");
+  EXPECT_EQ(complaint("time,weg\n0,\u20131.5\n"),
+            "p.csv:2:3: weg = \u20131.5: begins with a dash (U+2013): write the minus sign of the "
+            "keyboard, -");
+}
+
+TEST(Points, NameAnUnknownUnitInALineOfUnits) {
+  EXPECT_EQ(complaint("Zeit;Weg;Last\n[ms];[mm];[furlong]\n0;0;0\n"),
+            "p.csv:2:11: last = [furlong]: is not a known unit: write one such as mm, deg, s or "
+            "mm/s, or delete the column if the table does not need it");
 }
 
 TEST(Points, AreReadAsSpreadsheetsWriteThem) {
@@ -119,6 +135,7 @@ TEST(Points, HaveHeadersAsOtherProgramsWriteThem) {
   EXPECT_EQ(header_of("Winkel / \u00b0;Hub in \u03bcm\n0;0\n"), "winkel deg, hub um");
   EXPECT_EQ(header_of("Winkel [\xB0];Hub [\xB5m]\n0;0\n"), "winkel deg, hub um") << "Windows-1252";
   EXPECT_EQ(header_of("time;position\nms;mm\n0;0\n"), "time ms, position mm") << "a line of units";
+  EXPECT_EQ(header_of("time;position\n[ms];(inch)\n0;0\n"), "time ms, position inch");
   EXPECT_EQ(header_of("time;position\n;mm\n0;0\n"), "time, position mm");
   EXPECT_EQ(header_of("Cam 7;;\n;;\ntime;position;\n0;0;\n"), "time, position") << "a title";
   EXPECT_EQ(header_of("\"time, measured (s)\",position (actual)\n0,0\n"),

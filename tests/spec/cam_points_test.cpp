@@ -87,7 +87,8 @@ TEST_F(CamPoints, GiveDerivativesToHermite) {
 
 TEST_F(CamPoints, ThatAreWrongNameTheirLine) {
   EXPECT_EQ(complaint(spline, "master,slave\n0,0\n90,5\n90,6\n360,0\n"),
-            "points.csv:4:1: master = 90 deg: must be greater than 90 deg, the previous point");
+            "points.csv:4:1: master = 90 deg: must be greater than 90 deg, the previous point: "
+            "delete one of the two points");
   const std::string empty = complaint(spline, "");
   EXPECT_THAT(empty, testing::StartsWith("spec.toml:6:10: segment[1].points = "));
   EXPECT_THAT(empty, testing::EndsWith("points.csv: is empty: a header must name the columns, such "
@@ -95,7 +96,7 @@ TEST_F(CamPoints, ThatAreWrongNameTheirLine) {
       << "the missing end is not another error: it is the last point of the file";
   EXPECT_EQ(complaint(spline, "master,slave,speed\n0,0,1\n360,0,1\n"),
             "points.csv:1: speed: is not a column of this table; possible columns: master, slave, "
-            "tolerance");
+            "tolerance: delete the column, or give it one of these names");
 }
 
 TEST_F(CamPoints, NeedALawThroughPoints) {

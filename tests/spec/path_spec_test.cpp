@@ -272,7 +272,8 @@ TEST_F(PathBesideFile, TakesPointsWithTheirFeeds) {
 TEST_F(PathBesideFile, RejectsPointsThatDoNotFit) {
   const std::string top = "points = \"p.csv\"\n";
   EXPECT_EQ(complaint(top, "p.csv", "x,y,z\n1,2,3\n2,3,4\n"),
-            "p.csv:1: z: is not a column of this table; possible columns: velocity, x, y");
+            "p.csv:1: z: is not a column of this table; possible columns: velocity, x, y: "
+            "delete the column, or give it one of these names");
   EXPECT_THAT(complaint(top, "p.csv", "x,y\n1,2\n"), HasSubstr("p.csv:2: is the only point"));
   EXPECT_THAT(complaint(top, "p.csv", "x,velocity\n1,2\n2,3\n"),
               HasSubstr("p.csv:1: column \"y\": is missing"));

@@ -63,7 +63,7 @@ TEST_F(PointFile, IsNamedWithTheLineOfAMistake) {
               ::testing::StartsWith("points.csv:5:1: time = 1 s: must be greater than 2 s"));
   EXPECT_THAT(complaint(pvt, "time [s],position,speed\n0,0,0\n"),
               "points.csv:1: speed: is not a column of this table; possible columns: time, "
-              "position, velocity");
+              "position, velocity: delete the column, or give it one of these names");
   EXPECT_THAT(complaint(pvt + "knot = []\n", "time,position,velocity\n0,0,0\n"),
               "spec.toml:4:10: points = \"points.csv\": cannot be combined with [[knot]]: give one "
               "of the two");
@@ -71,6 +71,20 @@ TEST_F(PointFile, IsNamedWithTheLineOfAMistake) {
             "points.csv:3: is the only point of the file: a table needs at least two");
   EXPECT_THAT(complaint(pvt, "time [mm],position,velocity\n0,0,0\n1,1,0\n"),
               ::testing::StartsWith("points.csv:1: time = mm:"));
+}
+
+TEST_F(PointFile, NamesTheCauseOfAMistakeInItsOwnUnits) {
+  EXPECT_EQ(complaint(pvt, "time [ms],position [mm],velocity\n0,0,0\n100,1,0\n100,2,0\n"),
+            "points.csv:4:1: time = 100 ms: must be greater than 100 ms, the previous point: "
+            "delete one of the two points");
+  for (const char* header : {"Weg (furlong)", "position / furlong"})
+    EXPECT_EQ(complaint(pvt, std::string("time (s);") + header + ";velocity\n0;0;0\n"),
+              "points.csv:1: position = furlong: is not a known unit: write one such as mm, deg, s "
+              "or mm/s");
+  EXPECT_EQ(complaint(pvt, "time (s),position (inch),velocity (inch/s)\n0,0,0\n1,1,0\n"), "none");
+  EXPECT_EQ(complaint(pvt, "Nr;time;position;velocity\n1;0;0;0\n"),
+            "points.csv:1: nr: is not a column of this table; possible columns: time, position, "
+            "velocity: delete the column, or give it one of these names");
 }
 
 const std::string pt =
@@ -88,7 +102,8 @@ TEST_F(PointFile, HoldsThePointsOfAPtTableWithTheirTypes) {
             "points.csv:2:11: type = sideways: must be one of normal, even, stop, continue, or its "
             "number, counted from 0");
   EXPECT_EQ(complaint(pt + "[pt]\n", "time,position\n5,1\n4,2\n"),
-            "points.csv:3:1: time = 4 ms: must be greater than 5 ms, the previous point");
+            "points.csv:3:1: time = 4 ms: must be greater than 5 ms, the previous point: sort "
+            "the points by time");
 }
 
 TEST_F(PointFile, HoldsTheSegmentsOfAFollowTable) {

@@ -133,7 +133,11 @@ std::string_view unquoted(std::string_view cell) {
 }
 
 std::string unit_of(std::string_view text) {
-  const std::string plain = with_plain_signs(trimmed(text));
+  text = trimmed(text);
+  for (const std::string_view brackets : {"[]", "()"})
+    if (text.size() > 2 && text.front() == brackets[0] && text.back() == brackets[1])
+      text = trimmed(text.substr(1, text.size() - 2));
+  const std::string plain = with_plain_signs(text);
   return is_unit(plain) ? plain : "";
 }
 

@@ -23,17 +23,27 @@ PointColumn column_of(std::string_view cell);
 bool has_words(const PointColumn& column);
 
 /// Returns the unit as units.hpp writes it: "µm" is um, "°/s" is deg/s, "mm/s²" is mm/s^2. Signs in
-/// Windows-1252 are accepted, too. Returns "" if the text is not a unit.
+/// Windows-1252 are accepted, too, and so are brackets around the unit. Returns "" if the text is not a unit.
 std::string unit_of(std::string_view text);
 
-/// True if the cells are units or empty, at least one of them a unit: the second line of a header.
+/// The rule of an unknown unit in a line of units.
+inline constexpr const char* unknown_unit =
+    "is not a known unit: write one such as mm, deg, s or mm/s, or delete the column if the table "
+    "does not need it";
+
+/// True if a cell begins with a digit, a sign or a separator of decimals.
+inline bool may_be_number(std::string_view cell) {
+  return !cell.empty() && std::string_view("0123456789+-.,").find(cell.front()) != cell.npos;
+}
+
+/// True if no cell is a number and at least one is a unit: the second line of a header. Other cells
+/// may be unknown units.
 template <class Cells>
 bool are_units(const Cells& cells) {
   bool any = false;
   for (const std::string_view cell : cells) {
-    if (cell.empty()) continue;
-    if (unit_of(cell).empty()) return false;
-    any = true;
+    if (may_be_number(cell)) return false;
+    any = any || !unit_of(cell).empty();
   }
   return any;
 }

@@ -56,6 +56,12 @@ Number number_at(const char* begin, const char* end, char point) {
   return {value, error == std::errc() ? begin + (to - text.data()) : begin};
 }
 
+/// Signs that look like a minus sign, in UTF-8, with their names.
+constexpr std::array<std::pair<std::string_view, const char*>, 3> minus_signs{
+    {{"\xE2\x88\x92", "the typographic minus sign U+2212"},
+     {"\xE2\x80\x93", "a dash (U+2013)"},
+     {"\xEF\xBC\x8D", "the wide minus sign U+FF0D"}}};
+
 class Reader {
  public:
   Reader(std::string_view text, Points& points)
@@ -188,6 +194,9 @@ class Reader {
                     [](const PointColumn& column) { return !column.unit.empty(); }))
       return false;
     for (std::size_t i = 0; i < columns.size(); ++i)
+      if (!cells[i].empty() && io_detail::unit_of(cells[i]).empty())
+        fail(columns[i].name, cells[i], io_detail::unknown_unit, cells[i].data());
+    for (std::size_t i = 0; i < columns.size(); ++i)
       points_.columns[i].unit = io_detail::unit_of(cells[i]);
     first_row_ = at_;
     return true;
@@ -253,6 +262,11 @@ class Reader {
     if (const Number plain = number_at(text.data(), to, point_);  // out of its quotes
         plain.end == to && !text.empty() && std::isfinite(plain.value))
       return plain.value;
+    for (const auto& [sign, name] : minus_signs)
+      if (text.starts_with(sign))
+        fail(key, text,
+             std::string("begins with ") + name + ": write the minus sign of the keyboard, -",
+             text.data());
     if ((separator_ == ',' && !quoted) || text.find(other) == text.npos)
       fail(key, text, "must be a finite number", text.data());
     const char* const end = text.data() + text.size();
@@ -295,6 +309,8 @@ class Reader {
               : commas    ? ": decimal commas need semicolons between columns"
               : separator_ == ',' && std::find(begin_, line_end_, '"') != line_end_
                   ? ": a comma separates columns, also between quotes"
+              : separator_ == ',' && cells > wanted && cells < 2 * wanted
+                  ? ": if a value has a decimal comma, separate the columns by semicolons"
                   : ""));
   }
 

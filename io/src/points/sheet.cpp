@@ -31,7 +31,7 @@ class SheetReader {
     if (row == sheet_.rows.end())
       throw InputError(sheet_.name, "", "has no header: one row must name two columns or more")
           .at(points_.document);
-    if (++row != sheet_.rows.end() && read_units(row->second)) ++row;
+    if (++row != sheet_.rows.end() && read_units(*row)) ++row;
     for (; row != sheet_.rows.end(); ++row) read_row(*row);
     if (points_.lines.empty())
       throw InputError(sheet_.name, "", "has a header but no points: add at least one row")
@@ -75,7 +75,8 @@ class SheetReader {
     return true;
   }
 
-  bool read_units(const Row& row) {
+  bool read_units(const std::pair<const std::uint32_t, Row>& numbered) {
+    const Row& row = numbered.second;
     std::vector<std::string_view> cells;
     for (const std::uint32_t column : places_) {
       const auto cell = row.find(column);
@@ -86,7 +87,12 @@ class SheetReader {
         std::any_of(points_.columns.begin(), points_.columns.end(),
                     [](const PointColumn& column) { return !column.unit.empty(); }))
       return false;
-    for (std::size_t i = 0; i < cells.size(); ++i) points_.columns[i].unit = unit_of(cells[i]);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      PointColumn& column = points_.columns[i];
+      column.unit = unit_of(cells[i]);
+      if (!cells[i].empty() && column.unit.empty())
+        fail(numbered.first, places_[i], cells[i], unknown_unit);
+    }
     return true;
   }
 

@@ -375,8 +375,8 @@ class Reduction {
 void require_valid(const Target& target) {
   if (!target.tolerance && !target.velocity_tolerance && !target.most)
     throw InputError("tolerance", "",
-                     "is missing: new knots need a tolerance of the position or velocity, or their "
-                     "greatest number, `most`");
+                     "is missing: new knots need a tolerance of the position or of the velocity; a "
+                     "resolution does not replace it");
   if (target.tolerance) require_positive("tolerance", *target.tolerance);
   if (target.velocity_tolerance) require_positive("velocity_tolerance", *target.velocity_tolerance);
   if (target.quadratic && target.rule != Interpolation::cubic_hermite)

@@ -42,6 +42,7 @@ void read_column(const Points& file, const char* name, const std::string& unit,
 
 void read_masters(const Points& file, const std::string& unit, std::vector<CamPoint>& points) {
   const std::vector<double> masters = file.in_unit("master", unit);
+  require_ascending(file, {"master", unit});
   for (std::size_t i = 0; i < points.size(); ++i) {
     points[i].master = masters[i];
     if (i > 0 && !(masters[i] > masters[i - 1]))

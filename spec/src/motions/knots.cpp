@@ -70,6 +70,7 @@ void take_columns(const Points& points, const Units& units, FillSpec& fill, bool
     }
   };
   fill.x = points.in_unit("time", units.x);
+  require_ascending(points, {"time", units.x});
   fill.p = points.in_unit("position", units.position);
   if (points.size() < 2)
     throw InputError("", "", "is the only point of the file: a table needs at least two")

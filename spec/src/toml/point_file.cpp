@@ -8,6 +8,33 @@
 #include "jounce/base/detail/listed.hpp"
 
 namespace jounce::spec_detail {
+namespace {
+
+/// The error of a column that the table does not have. A wanted column whose unit is not known has
+/// its unit in its name: "position (furlong)".
+InputError other_column(const Points& points, const PointColumn& column,
+                        const std::vector<std::string>& wanted) {
+  for (const auto& [mark, end] : {std::pair<std::string, std::string>{"(", ")"}, {" / ", ""}}) {
+    const auto at = column.name.find(mark);
+    if (at == std::string::npos || at == 0 || !column.name.ends_with(end)) continue;
+    std::string name = column.name.substr(0, column.name.find_last_not_of(' ', at - 1) + 1);
+    Points other{.columns = {{.name = name}}};
+    other.name_columns(wanted);
+    name = other.columns.front().name;
+    if (std::find(wanted.begin(), wanted.end(), name) == wanted.end() ||
+        points.find(name) != nullptr)
+      continue;
+    const auto from = at + mark.size();
+    return {name, column.name.substr(from, column.name.size() - from - end.size()),
+            "is not a known unit: write one such as mm, deg, s or mm/s"};
+  }
+  return {column.name, "",
+          "is not a column of this table; possible columns: " + listed(wanted) +
+              ": delete the column, or give it one of these names"};
+}
+
+}  // namespace
+
 std::optional<Points> read_point_file(TomlReader& owner, const char* rows,
                                       const std::vector<std::string>& columns) {
   const auto given = owner.optional_text("points");
@@ -21,10 +48,25 @@ std::optional<Points> read_point_file(TomlReader& owner, const char* rows,
   points.name_columns(columns);
   for (const PointColumn& column : points.columns)
     if (std::find(columns.begin(), columns.end(), column.name) == columns.end())
-      throw InputError(column.name, "",
-                       "is not a column of this table; possible columns: " + listed(columns))
+      throw other_column(points, column, columns)
           .at(points.document, static_cast<int>(points.header));
   return points;
+}
+
+void require_ascending(const Points& points, const PointQuantity& x) {
+  const PointColumn* const column = points.find(x.name);
+  if (column == nullptr) return;
+  const std::string& unit = column->unit.empty() ? x.unit : column->unit;
+  for (std::size_t i = 1; i < column->values.size(); ++i) {
+    const double before = column->values[i - 1];
+    const double now = column->values[i];
+    if (!(now > before))
+      throw points.error(i, x.name, now, unit,
+                         "must be greater than " + number(before) + (unit.empty() ? "" : " ") +
+                             unit + ", the previous point: " +
+                             (now == before ? "delete one of the two points"
+                                            : std::string("sort the points by ") + x.name));
+  }
 }
 
 std::vector<std::size_t> types_of(const Points& points, std::span<const std::string> words) {
@@ -48,6 +90,7 @@ std::vector<PtPoint> pt_points(const Points& points, const PointQuantity& x,
                                const PointQuantity& position, bool increments,
                                std::span<const std::string> types) {
   const std::vector<double> at = points.in_unit(x.name, x.unit);
+  if (!increments) require_ascending(points, x);
   const std::vector<double> to = points.in_unit(position.name, position.unit);
   const std::vector<std::size_t> type = types_of(points, types);
   std::vector<PtPoint> all;

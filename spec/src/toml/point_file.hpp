@@ -23,12 +23,17 @@ std::optional<Points> read_point_file(TomlReader& owner, const char* rows,
 /// without such a column.
 std::vector<std::size_t> types_of(const Points& points, std::span<const std::string> words);
 
-/// Points of a PT or follow table count from the origin of the table; `increments` are summed.
-/// Throws InputError with the place if x does not ascend.
+/// A column, and the unit of its numbers in the spec.
 struct PointQuantity {
   const char* name;
   const std::string& unit;
 };
+
+/// Throws InputError with the place and the numbers of the file if x does not ascend.
+void require_ascending(const Points& points, const PointQuantity& x);
+
+/// Points of a PT or follow table count from the origin of the table; `increments` are summed.
+/// Throws InputError with the place if x does not ascend.
 std::vector<PtPoint> pt_points(const Points& points, const PointQuantity& x,
                                const PointQuantity& position, bool increments,
                                std::span<const std::string> types);
