@@ -55,6 +55,8 @@ std::size_t column(const std::vector<std::string_view>& header, std::string_view
   return *found;
 }
 
+constexpr std::size_t ticks_on_table = 3;  ///< ticks in a row that show the end of a ramp
+
 /// The place of a tick on its motion: the argument of the motion, and a shift of the position.
 struct OnMotion {
   std::function<double(const PlayedTick&)> at;
@@ -102,6 +104,8 @@ double rounding(const std::vector<PlayedTick>& ticks, const OnMotion& on,
 struct Deviations {
   Deviation table;
   std::optional<Deviation> curve = {};
+  std::size_t left_out = 0;  // ticks of the ramp
+  bool live = false;         // compared over the master of the log
   [[nodiscard]] bool ok() const { return table.error <= table.limit; }
 };
 
@@ -116,31 +120,136 @@ Deviations compare(const std::vector<PlayedTick>& ticks, const OnMotion& on,
   return result;
 }
 
-Deviations compare_over_time(const std::vector<PlayedTick>& ticks, const Designed& designed) {
-  const OnMotion on{
-      .at = [&](const PlayedTick& tick) { return std::min(tick.time, designed.duration); },
-      .counted = [](const PlayedTick& tick) { return tick.clock; }};
-  return compare(ticks, on, designed.over_time, designed.tolerance);
+/// The correction of the ramp in a tick: the distance of the axis from its cam.
+double correction_at(const PlayedTick& tick, const OnMotion& on, const DesignedMotion& motion) {
+  return own_position(tick, on.corrected) - on.shift - motion.table(on.at(tick)).position;
 }
 
-/// Compares over the master of the log; nullopt if the axis did not follow the cam over it.
-std::optional<Deviations> compare_over_master(const std::vector<PlayedTick>& ticks,
-                                              const Designed& designed) {
+/// Index of the first tick at which a ramp that began with the first tick has certainly ended. The
+/// bound is twice the time of a move through the greatest correction that also brakes the greatest
+/// velocity of the correction.
+std::size_t longest_ramp(const std::vector<PlayedTick>& ticks, const OnMotion& on,
+                         const Designed& designed, const DesignedMotion& motion) {
+  constexpr std::int64_t cycles = 10;
+  const CouplingSpec& ramp = *designed.ramp;
+  const auto first = [&](const auto& over) {
+    return static_cast<std::size_t>(std::find_if(ticks.begin(), ticks.end(), over) - ticks.begin());
+  };
+  if (ramp.start == StartMode::ramp_in_distance)
+    return first([&](const PlayedTick& tick) {
+      return tick.master && std::abs(*tick.master - *ticks.front().master) > 2 * *ramp.distance;
+    });
+  double distance = 0;
+  double velocity = *ramp.velocity_diff;
+  for (std::size_t i = 0; i < ticks.size(); ++i) {
+    const double now = correction_at(ticks[i], on, motion);
+    distance = std::max(distance, std::abs(now));
+    if (const std::size_t next = i + 1; i < 2 && next < ticks.size())
+      velocity = std::max(velocity, std::abs(correction_at(ticks[next], on, motion) - now) /
+                                        (ticks[next].time - ticks[i].time));
+  }
+  const double slowest =
+      std::min(*ramp.acceleration, ramp.deceleration.value_or(*ramp.acceleration));
+  const double growth = ramp.jerk ? 4 * slowest / *ramp.jerk : 0;
+  const double longest = 2 * (distance / *ramp.velocity_diff + 3 * velocity / slowest + growth);
+  return first([&](const PlayedTick& tick) {
+    return tick.time > longest && tick.tick - ticks.front().tick > cycles;
+  });
+}
+
+/// Number of ticks of the ramp: those before the first three ticks in a row on the table, at most
+/// longest_ramp(). (The correction may cross zero in one tick, and may begin there.)
+std::size_t ramp_ticks(const std::vector<PlayedTick>& ticks, const OnMotion& on,
+                       const Designed& designed, const DesignedMotion& motion) {
+  const std::size_t longest = longest_ramp(ticks, on, designed, motion);
+  const double limit = rounding(ticks, on, motion);
+  std::size_t in_a_row = 0;
+  for (std::size_t i = 0; i < ticks.size() && i < longest + ticks_on_table; ++i) {
+    in_a_row = std::abs(correction_at(ticks[i], on, motion)) <= limit ? in_a_row + 1 : 0;
+    if (in_a_row == ticks_on_table) return i + 1 - ticks_on_table;
+  }
+  return longest;
+}
+
+/// Compares the ticks after the ramp, with the slave as shifted as at the end of the motion.
+/// nullopt: too few ticks come after the ramp.
+std::optional<Deviations> compare_after_ramp(const std::vector<PlayedTick>& ticks, OnMotion on,
+                                             const Designed& designed,
+                                             const DesignedMotion& motion) {
+  on.shift = own_position(ticks.back(), on.corrected) - motion.table(on.at(ticks.back())).position;
+  const std::size_t ramp = ramp_ticks(ticks, on, designed, motion);
+  if (ramp + ticks_on_table > ticks.size()) return std::nullopt;
+  const std::vector<PlayedTick> after(ticks.begin() + static_cast<std::ptrdiff_t>(ramp),
+                                      ticks.end());
+  Deviations result = compare(after, on, motion, designed.tolerance);
+  result.left_out = ramp;
+  return result;
+}
+
+/// The place of a tick on the motion over time.
+OnMotion over_time(const Designed& designed) {
+  return {.at = [&](const PlayedTick& tick) { return std::min(tick.time, designed.duration); },
+          .counted = [](const PlayedTick& tick) { return tick.clock; }};
+}
+
+/// The places of a tick on the cam over the master of the log: with the zero of the master, and
+/// with the first tick as zero of master and slave.
+std::vector<OnMotion> over_master(const std::vector<PlayedTick>& ticks, const Designed& designed) {
   const PlayedTick& first = ticks.front();
-  if (!designed.over_master.table || !first.master) return std::nullopt;
+  if (!designed.over_master.table || !first.master) return {};
   const bool corrected = std::any_of(ticks.begin(), ticks.end(),
                                      [](const PlayedTick& tick) { return tick.correction != 0; });
   const double shift = own_position(first, corrected) - designed.over_master.table(0).position;
-  for (const auto& [origin, by] : {std::pair{0.0, 0.0}, {*first.master, shift}}) {
-    const OnMotion on{
-        .at = [origin = origin](const PlayedTick& tick) { return *tick.master - origin; },
-        .shift = by,
-        .corrected = corrected,
-        .counted = [](const PlayedTick& tick) { return *tick.master; }};
-    Deviations result = compare(ticks, on, designed.over_master, designed.tolerance);
-    if (result.ok()) return result;
-  }
-  return std::nullopt;
+  std::vector<OnMotion> all;
+  for (const auto& [origin, by] : {std::pair{0.0, 0.0}, {*first.master, shift}})
+    all.push_back(
+        {.at = [origin = origin](const PlayedTick& tick) { return *tick.master - origin; },
+         .shift = by,
+         .corrected = corrected,
+         .counted = [](const PlayedTick& tick) { return *tick.master; }});
+  return all;
+}
+
+/// Compares over time, or, if the positions do not agree, over the master of the log.
+Deviations compare_all(const std::vector<PlayedTick>& ticks, const Designed& designed) {
+  const std::vector<OnMotion> places = over_master(ticks, designed);
+  const Deviations in_time =
+      compare(ticks, over_time(designed), designed.over_time, designed.tolerance);
+  if (in_time.ok()) return in_time;
+  for (const OnMotion& on : places)
+    if (Deviations result = compare(ticks, on, designed.over_master, designed.tolerance);
+        result.ok()) {
+      result.live = true;
+      return result;
+    }
+  return in_time;
+}
+
+/// As compare_all(), without the ticks of the ramp. Returns the deviations that agree, or else the
+/// smallest ones.
+Deviations compare_ramped(const std::vector<PlayedTick>& ticks, const Designed& designed) {
+  std::optional<Deviations> least;
+  const auto take = [&](const OnMotion& on, const DesignedMotion& motion, bool live) {
+    auto result = compare_after_ramp(ticks, on, designed, motion);
+    if (!result) return;
+    result->live = live;
+    if (!least || (result->ok() && !least->ok()) ||
+        (result->ok() == least->ok() && result->table.error < least->table.error))
+      least = result;
+  };
+  const std::vector<OnMotion> places = over_master(ticks, designed);
+  for (const OnMotion& on : places) take(on, designed.over_master, true);
+  if (places.empty() && designed.ramp->start != StartMode::ramp_in_distance)
+    take(over_time(designed), designed.over_time, false);
+  if (least) return *least;
+  throw InputError(
+      "", "",
+      places.empty() && designed.ramp->start == StartMode::ramp_in_distance
+          ? "contains no live master, over which the ramp of [coupling] ends: give the log of a "
+            "motion that `jounce stream --live` has sent"
+          : "cannot be compared with the table: all " + std::to_string(ticks.size()) +
+                " ticks of the motion may belong to the ramp of [coupling]: give the log of a "
+                "longer motion");
 }
 
 void add(Report& report, const char* rule, const Deviation& deviation, const char* advice) {
@@ -209,17 +318,25 @@ std::optional<std::size_t> correction_of_slave(const std::vector<std::string_vie
   return of_slave ? found : std::nullopt;
 }
 
+/// True if the slave engages with a ramp.
+bool is_ramp(StartMode start) {
+  return start != StartMode::absolute && start != StartMode::relative;
+}
+
 /// The advice for a motion that is not that of the table.
 const char* other_table(const Designed& designed) {
   if (designed.cutter)
-    return "an axis with this cutter plays a plan of cuts, not this table: its cuts come where the "
-           "plan places them on the web, and this comparison does not include them. If the axis "
-           "played this table, then another one than the one designed, or a fault ended the "
-           "motion (column fault of the log)";
+    return "if the axis has a cutter, it plays a plan of cuts and not this table: its cuts come "
+           "where the plan places them on the web, and this comparison does not include them. "
+           "Otherwise the executor played another table than the one designed, a fault ended the "
+           "motion (column fault of the log), or the axis followed a live master with a start mode "
+           "that is not in this spec, a phase shift or a motion on top, which this comparison does "
+           "not include";
   if (designed.over_master.table)
     return "the executor played another table than the one designed, a fault ended the motion "
-           "(column fault of the log), or the axis followed a live master with a start mode, a "
-           "phase shift or a motion on top, which this comparison does not include";
+           "(column fault of the log), or the axis followed a live master with a start mode that "
+           "is not in this spec, a phase shift or a motion on top, which this comparison does not "
+           "include";
   return "the executor played another table than the one designed, or a fault ended the motion: "
          "see the column fault of the log";
 }
@@ -279,12 +396,12 @@ std::vector<PlayedTick> read_played(const std::string& csv, const std::string& n
 
 Played compare_played(const std::vector<PlayedTick>& ticks, const Designed& designed) {
   assert(!ticks.empty() && designed.over_time.table);
-  Deviations compared = compare_over_time(ticks, designed);
-  std::optional<Deviations> over_master;
-  if (!compared.ok()) over_master = compare_over_master(ticks, designed);
-  if (over_master) compared = *over_master;
-  Played played{.ticks = ticks.size(),
-                .live = over_master.has_value(),
+  const bool ramped = designed.ramp && is_ramp(designed.ramp->start);
+  const Deviations compared =
+      ramped ? compare_ramped(ticks, designed) : compare_all(ticks, designed);
+  Played played{.ticks = ticks.size() - compared.left_out,
+                .left_out = compared.left_out,
+                .live = compared.live,
                 .table = compared.table,
                 .curve = compared.curve,
                 .report = {}};

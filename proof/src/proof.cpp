@@ -46,6 +46,7 @@ Played played(const Input& input, const std::string& log) {
                     .duration = duration(table)};
   const auto* const sync = input.spec ? std::get_if<SyncSpec>(&input.spec->subject) : nullptr;
   designed.cutter = sync != nullptr && cut_list_of(*sync).has_value();
+  if (input.spec) designed.ramp = input.spec->coupling;
   const Cam* const cam = std::get_if<Cam>(&*input.curve);
   // A log may contain places of the master at which the cam is not defined.
   const Table& of_master = input.table.table;
@@ -67,7 +68,12 @@ Played played(const Input& input, const std::string& log) {
       designed.over_master.curve = [&](double master) { return cam->at(within(master)).position; };
     designed.tolerance = *tolerance;
   }
-  return compare_played(read_played(read_file(log), log), designed);
+  const std::vector<PlayedTick> ticks = read_played(read_file(log), log);
+  try {
+    return compare_played(ticks, designed);
+  } catch (const InputError& error) {
+    throw error.document().empty() ? InputError(error).at(log) : error;
+  }
 }
 
 std::string played_text(const Played& played, const std::string& unit) {
@@ -75,10 +81,12 @@ std::string played_text(const Played& played, const std::string& unit) {
     return fmt::format("at most {} {} from the {} (limit {})", rounded(from.error), unit, what,
                        rounded(from.limit));
   };
-  std::string text =
-      fmt::format("  {:<12} {}: {} ticks{}, {}", "executor", played.report.ok() ? "ok" : "BROKEN",
-                  played.ticks, played.live ? " over the live master (the end is not checked)" : "",
-                  part(played.table, "table"));
+  std::string text = fmt::format(
+      "  {:<12} {}: {} ticks{}{}, {}", "executor", played.report.ok() ? "ok" : "BROKEN",
+      played.ticks, played.live ? " over the live master (the end is not checked)" : "",
+      played.left_out > 0 ? fmt::format(" after the ramp ({} ticks, not compared)", played.left_out)
+                          : "",
+      part(played.table, "table"));
   if (played.curve) text += ", " + part(*played.curve, "exact curve");
   return text + "\n";
 }
@@ -87,7 +95,10 @@ Json played_json(const Played& played) {
   const auto part = [](const Deviation& from) {
     return Json{{"error", from.error}, {"where", from.where}, {"limit", from.limit}};
   };
-  Json json{{"ticks", played.ticks}, {"live_master", played.live}, {"table", part(played.table)}};
+  Json json{{"ticks", played.ticks},
+            {"ticks_left_out", played.left_out},
+            {"live_master", played.live},
+            {"table", part(played.table)}};
   if (played.curve) json["curve"] = part(*played.curve);
   return json;
 }

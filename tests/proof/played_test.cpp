@@ -243,8 +243,84 @@ TEST(Played, StatesThatACutterPlaysAPlan) {
   designed.cutter = true;
   const Played played = compare_played(read_played(corrected_log("mm"), "run.csv"), designed);
   ASSERT_FALSE(played.report.ok());
-  EXPECT_NE(played.report.findings.front().advice.find("plays a plan of cuts, not this table"),
+  EXPECT_NE(played.report.findings.front().advice.find("plays a plan of cuts and not this table"),
             std::string::npos);
+}
+
+/// A log of the slave of doubled(), whose correction falls from 20 to 0 in 20 ticks, and which has
+/// an error in one tick. `blade`: a shift of the slave.
+std::string ramped_log(int ticks, double blade, int wrong_tick) {
+  std::string log = "tick,time [s],state,master [mm],position [mm],job,fault,profile [s=mm]\n";
+  for (int k = 0; k < ticks; ++k) {
+    const double ramp = k < 20 ? 0.05 * (20 - k) * (20 - k) : 0;
+    log += std::to_string(k) + "," + number(k * 0.001) + ",synchronized_motion," +
+           number(420 + 10.0 * k) + "," +
+           number(840 + 20.0 * k + ramp + blade + (k == wrong_tick ? 1e-6 : 0)) + ",1,none,\n";
+  }
+  return log;
+}
+
+Designed ramped() {
+  Designed designed = doubled();
+  designed.ramp =
+      CouplingSpec{.start = StartMode::ramp_in, .velocity_diff = 2000, .acceleration = 1e5};
+  return designed;
+}
+
+TEST(Played, LeavesOutTheRamp) {
+  for (const double blade : {0.0, -180.0}) {
+    const Played played =
+        compare_played(read_played(ramped_log(400, blade, -1), "run.csv"), ramped());
+    EXPECT_TRUE(played.report.ok()) << played.table.error;
+    EXPECT_TRUE(played.live);
+    EXPECT_EQ(played.left_out, 20U);
+    EXPECT_EQ(played.ticks, 380U);
+  }
+  // Without the ramp in the spec, the start is an error.
+  EXPECT_FALSE(
+      compare_played(read_played(ramped_log(400, 0, -1), "run.csv"), doubled()).report.ok());
+}
+
+TEST(Played, FindsOneWrongTickAfterTheRamp) {
+  for (const int wrong : {30, 399}) {
+    const Played played =
+        compare_played(read_played(ramped_log(400, 0, wrong), "run.csv"), ramped());
+    EXPECT_FALSE(played.report.ok()) << wrong;
+    EXPECT_NEAR(played.table.error, 1e-6, 1e-10);
+  }
+}
+
+// Another motion is no long ramp, even if its last ticks keep the distance of the cam.
+TEST(Played, TheRampIsNotLongerThanItsLimitsPermit) {
+  Designed other = ramped();
+  other.over_master.table = [](double x) { return Motion{x < 4000 ? 2.001 * x : 2 * x, 2, 0, 0}; };
+  const Played played = compare_played(read_played(ramped_log(400, 0, -1), "run.csv"), other);
+  EXPECT_FALSE(played.report.ok());
+  EXPECT_EQ(played.report.findings.front().rule, "played/table");
+}
+
+TEST(Played, StatesThatAMotionWithinItsRampCannotBeCompared) {
+  EXPECT_EQ(test::error_of([&] {
+              (void)compare_played(read_played(ramped_log(15, 0, -1), "run.csv"), ramped());
+            }),
+            "cannot be compared with the table: all 15 ticks of the motion may belong to the ramp "
+            "of [coupling]: give the log of a longer motion");
+}
+
+// The same over time: a ramp on a virtual master.
+TEST(Played, LeavesOutTheRampOverTime) {
+  std::string log = header;
+  for (int k = 0; k <= 400; ++k)
+    log += std::to_string(k) + "," + number(k * 0.001) + ",synchronized_motion,0," +
+           number(0.01 * k + (k < 20 ? 0.05 * (20 - k) * (20 - k) : 0)) + ",1,none\n";
+  Designed designed = ramped();
+  designed.over_master = {};
+  designed.over_time = ramp.over_time;
+  designed.duration = 0.4;
+  const Played played = compare_played(read_played(log, "run.csv"), designed);
+  EXPECT_TRUE(played.report.ok()) << played.table.error;
+  EXPECT_EQ(played.left_out, 20U);
+  EXPECT_FALSE(played.live);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "jounce/cam/coupling/coupling.hpp"
 #include "jounce/profiles/curve/jet.hpp"
 #include "jounce/profiles/limits/limits.hpp"
 
@@ -45,7 +46,10 @@ struct Designed {
   DesignedMotion over_master{};
   double tolerance = 0;  ///< permitted deviation of the table from the curve, u
   double duration = 0;   ///< duration of the motion, s
-  bool cutter = false;   ///< true: the spec of a machine that cuts, whose axis plays a plan of cuts
+  bool cutter =
+      false;  ///< true: the spec of a machine that cuts, whose axis may play a plan of cuts
+  /// The coupling of the cam. If it starts with a ramp, the comparison leaves the ramp out.
+  std::optional<CouplingSpec> ramp = {};
 };
 
 /// The greatest deviation of the setpoints from a reference.
@@ -58,6 +62,7 @@ struct Deviation {
 /// Result of compare_played().
 struct Played {
   std::size_t ticks = 0;             ///< number of ticks compared
+  std::size_t left_out = 0;          ///< number of ticks before them, which belong to the ramp
   bool live = false;                 ///< true: compared over the master of the log
   Deviation table{};                 ///< deviation from the table
   std::optional<Deviation> curve{};  ///< deviation from the curve, if the reference has one
@@ -76,7 +81,9 @@ struct Played {
 /// Compares every tick with the design: over time, or, if the positions do not agree, over the
 /// master of the log. The axis may have engaged at the position of the cam, or with master and
 /// slave counted from its first tick. Over the master, the comparison subtracts the correction of
-/// the slave. Requires at least one tick, and a table over time in
+/// the slave. If the slave engaged with a ramp, the comparison leaves out the ticks before the first
+/// three in a row on the table, at most those within twice the time that the limits of the ramp
+/// permit, and throws InputError if fewer than three ticks remain. Requires at least one tick, and a table over time in
 /// `designed`. The permitted rounding is most_roundings eps (p + v t), with the greatest position
 /// p, the greatest velocity v, and the time t of the log. A position is computed from a time, so
 /// the rounding of the time shifts the position.
