@@ -181,17 +181,13 @@ constexpr std::array entries{
     Entry{
         Cause::start_position, "start_position",
         "The table does not begin at the position of the axis.",
-        "Move the axis to the start of the table (`jounce order NAME move --to POSITION`), or "
-        "start "
-        "the executor with --adopt-start. A table over time also begins at the position of the "
-        "axis with --rolling --relative. With a live master, use the `cutter` of the axis with "
-        "`jounce order NAME start`, or start = \"ramp_in\" with velocity_diff and acceleration in "
-        "[coupling].",
-        "Or start the executor with --adopt-start.",
-        "Or start the executor with --adopt-start. With --live instead: `jounce order NAME start` "
-        "for an axis with a `cutter`, or start = \"ramp_in\" with velocity_diff and acceleration "
-        "in "
-        "[coupling]."},
+        "Move the axis to the start of the table (`jounce order NAME move --to POSITION`). A table "
+        "over time also begins at the position of the axis with --rolling --relative, or at any "
+        "position of an axis at rest if the executor was started with --adopt-start. With a live "
+        "master, use the `cutter` of the axis with `jounce order NAME start`, or start = "
+        "\"ramp_in\" with velocity_diff and acceleration in [coupling]; while the master rests, "
+        "move the axis to the cam.",
+        "Or start the executor with --adopt-start.", "Or start the executor with --adopt-start."},
     Entry{Cause::start_velocity, "start_velocity", "The table does not begin at rest.",
           "Add a ramp at the start. The permitted step of the velocity is the acceleration limit "
           "times one cycle."},
