@@ -227,8 +227,8 @@ Deviations compare_all(const std::vector<PlayedTick>& ticks, const Designed& des
   return *least;
 }
 
-/// Compares like compare_all(), without the ticks of the ramp. Returns the deviations that agree, or else the
-/// smallest ones.
+/// Compares the ticks after the ramp, over time and over the master of the log. Returns the
+/// deviations that agree, or else the smallest ones.
 Deviations compare_ramped(const std::vector<PlayedTick>& ticks, const Designed& designed) {
   std::optional<Deviations> least;
   const auto take = [&](const OnMotion& on, const DesignedMotion& motion, bool live) {
