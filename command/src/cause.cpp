@@ -181,17 +181,13 @@ constexpr std::array entries{
     Entry{
         Cause::start_position, "start_position",
         "The table does not begin at the position of the axis.",
-        "Move the axis to the start of the table (`jounce order NAME move --to POSITION`), or "
-        "start "
-        "the executor with --adopt-start. A table over time also begins at the position of the "
-        "axis with --rolling --relative. With a live master, use the `cutter` of the axis with "
-        "`jounce order NAME start`, or start = \"ramp_in\" with velocity_diff and acceleration in "
-        "[coupling].",
-        "Or start the executor with --adopt-start.",
-        "Or start the executor with --adopt-start. With --live instead: `jounce order NAME start` "
-        "for an axis with a `cutter`, or start = \"ramp_in\" with velocity_diff and acceleration "
-        "in "
-        "[coupling]."},
+        "Move the axis to the start of the table (`jounce order NAME move --to POSITION`). A table "
+        "over time also begins at the position of the axis with --rolling --relative, or at any "
+        "position of an axis at rest if the executor was started with --adopt-start. With a live "
+        "master, use the `cutter` of the axis with `jounce order NAME start`, or start = "
+        "\"ramp_in\" with velocity_diff and acceleration in [coupling]; while the master rests, "
+        "move the axis to the cam.",
+        "Or start the executor with --adopt-start.", "Or start the executor with --adopt-start."},
     Entry{Cause::start_velocity, "start_velocity", "The table does not begin at rest.",
           "Add a ramp at the start. The permitted step of the velocity is the acceleration limit "
           "times one cycle."},
@@ -673,15 +669,23 @@ std::string value_text(const Refusal& refusal) {
                                         : digits_beside(refusal.value, six_digits(refusal.limit));
 }
 
-/// The limit that a motion uses up, from its derivative in Refusal::where.
+/// The limit that a motion uses up, from the number of the limit in Refusal::where.
 std::string used_up(const Refusal& refusal, const std::string& unit) {
-  constexpr std::array limits{Cause::velocity_limit, Cause::acceleration_limit, Cause::jerk_limit};
-  constexpr std::array names{"velocity", "acceleration or deceleration", "jerk"};
+  struct Used {
+    Cause limit;
+    const char* name;
+  };
+  constexpr std::array limits{Used{Cause::velocity_limit, "velocity"},
+                              Used{Cause::acceleration_limit, "acceleration or deceleration"},
+                              Used{Cause::jerk_limit, "jerk"},
+                              Used{Cause::acceleration_limit, "acceleration"},
+                              Used{Cause::acceleration_limit, "deceleration"}};
   const auto index = static_cast<std::size_t>(refusal.where) - 1;
   if (index >= limits.size()) return ".";
-  return std::string(": ") + names[index] + " " + value_text(refusal) +
-         unit_of(limits[index], unit) + ", limit " + six_digits(refusal.limit) +
-         unit_of(limits[index], unit) + ".";
+  const bool is_default = index >= 3 && refusal.value == refusal.limit;
+  const std::string of = unit_of(limits[index].limit, unit);
+  return std::string(": ") + limits[index].name + " " + value_text(refusal) + of + ", limit " +
+         six_digits(refusal.limit) + of + (is_default ? ", which is the default." : ".");
 }
 
 std::string input_name(int input) {

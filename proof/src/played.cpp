@@ -210,19 +210,21 @@ std::vector<OnMotion> over_master(const std::vector<PlayedTick>& ticks, const De
   return all;
 }
 
-/// Compares over time, or, if the positions do not agree, over the master of the log.
+/// Compares over time, or, if the positions do not agree, over the master of the log. Without a table
+/// over time, returns the smallest deviations over the master.
 Deviations compare_all(const std::vector<PlayedTick>& ticks, const Designed& designed) {
-  const std::vector<OnMotion> places = over_master(ticks, designed);
-  const Deviations in_time =
-      compare(ticks, over_time(designed), designed.over_time, designed.tolerance);
-  if (in_time.ok()) return in_time;
-  for (const OnMotion& on : places)
-    if (Deviations result = compare(ticks, on, designed.over_master, designed.tolerance);
-        result.ok()) {
-      result.live = true;
-      return result;
-    }
-  return in_time;
+  std::optional<Deviations> least;
+  if (designed.over_time.table)
+    least = compare(ticks, over_time(designed), designed.over_time, designed.tolerance);
+  if (least && least->ok()) return *least;
+  for (const OnMotion& on : over_master(ticks, designed)) {
+    Deviations result = compare(ticks, on, designed.over_master, designed.tolerance);
+    result.live = true;
+    if (result.ok()) return result;
+    const bool is_less = least && least->live && result.table.error < least->table.error;
+    if (!least || is_less) least = result;
+  }
+  return *least;
 }
 
 /// Compares the ticks after the ramp, over time and over the master of the log. Returns the
@@ -328,17 +330,18 @@ const char* other_table(const Designed& designed) {
   if (designed.cutter)
     return "if the axis has a cutter, it plays a plan of cuts and not this table: its cuts come "
            "where the plan places them on the web, and this comparison does not include them. "
-           "Otherwise the executor played another table than the one designed, a fault ended the "
-           "motion (column fault of the log), or the axis followed a live master with a start mode "
-           "that is not in this spec, a phase shift or a motion on top, which this comparison does "
-           "not include";
+           "Otherwise the executor played another table than the one designed, a halt, a hold or a "
+           "fault changed the motion (columns held and fault of the log), or the axis followed a "
+           "live master with a start mode that is not in this spec, a phase shift or a motion on "
+           "top, which this comparison does not include";
   if (designed.over_master.table)
-    return "the executor played another table than the one designed, a fault ended the motion "
-           "(column fault of the log), or the axis followed a live master with a start mode that "
-           "is not in this spec, a phase shift or a motion on top, which this comparison does not "
-           "include";
-  return "the executor played another table than the one designed, or a fault ended the motion: "
-         "see the column fault of the log";
+    return "the executor played another table than the one designed, a halt, a hold, an override "
+           "or a fault changed the motion (columns held and fault of the log), or the axis "
+           "followed "
+           "a live master with a start mode that is not in this spec, a phase shift or a motion on "
+           "top, which this comparison does not include";
+  return "the executor played another table than the one designed, or a halt, a hold, an override "
+         "or a fault changed the motion (columns held and fault of the log)";
 }
 
 }  // namespace
@@ -362,6 +365,7 @@ std::vector<PlayedTick> read_played(const std::string& csv, const std::string& n
   std::vector<PlayedTick> ticks;
   std::string current = "0";
   double start = 0;
+  std::int64_t number_of_job = 0;
   for (std::string row; std::getline(lines, row);) {
     ++place.line;
     const auto row_cells = csv_cells(row);
@@ -372,6 +376,8 @@ std::vector<PlayedTick> read_played(const std::string& csv, const std::string& n
     const auto master = master_column
                             ? std::optional(real(row_cells[*master_column], "master", place))
                             : std::nullopt;
+    if (row_cells[job] != "0")
+      number_of_job = static_cast<std::int64_t>(real(row_cells[job], "job", place));
     if (row_cells[job] != current && row_cells[job] != "0") {  // another motion begins
       ticks.clear();
       start = now;
@@ -385,7 +391,7 @@ std::vector<PlayedTick> read_played(const std::string& csv, const std::string& n
     const double correction =
         correction_column ? real(row_cells[*correction_column], "correction", place) : 0;
     if (current != "0" || shows_end)
-      ticks.push_back({tick, now - start, at, now, master, correction});
+      ticks.push_back({tick, now - start, at, now, master, correction, false, number_of_job});
   }
   if (ticks.empty())
     throw InputError(
@@ -395,12 +401,15 @@ std::vector<PlayedTick> read_played(const std::string& csv, const std::string& n
 }
 
 Played compare_played(const std::vector<PlayedTick>& ticks, const Designed& designed) {
-  assert(!ticks.empty() && designed.over_time.table);
+  assert(!ticks.empty() &&
+         (designed.over_time.table || (designed.over_master.table && ticks.front().master)));
   const bool ramped = designed.ramp && is_ramp(designed.ramp->start);
   const Deviations compared =
       ramped ? compare_ramped(ticks, designed) : compare_all(ticks, designed);
   Played played{.ticks = ticks.size() - compared.left_out,
                 .left_out = compared.left_out,
+                .job = ticks.front().job,
+                .start = ticks.front().clock,
                 .live = compared.live,
                 .table = compared.table,
                 .curve = compared.curve,

@@ -40,10 +40,25 @@ void in_position_unit(Report& report, const std::string& unit) {
     if (finding.unit.empty()) finding.unit = unit;
 }
 
+/// The motion of the table over time. None for a cam without a motion of its master: the ticks over a
+/// live master need none.
+std::optional<Reference> table_over_time(const Input& input, bool live) {
+  try {
+    return table_reference(input);
+  } catch (const InputError& error) {
+    if (!live || error.key() != "master" || !std::holds_alternative<Cam>(*input.curve)) throw;
+    return std::nullopt;
+  }
+}
+
 Played played(const Input& input, const std::string& log) {
-  const Reference table = table_reference(input);
-  Designed designed{.over_time = {.table = [&](double t) { return at(table, t); }},
-                    .duration = duration(table)};
+  const std::vector<PlayedTick> ticks = read_played(read_file(log), log);
+  const auto table = table_over_time(input, ticks.front().master.has_value());
+  Designed designed;
+  if (table) {
+    designed.over_time.table = [&](double t) { return at(*table, t); };
+    designed.duration = duration(*table);
+  }
   const auto* const sync = input.spec ? std::get_if<SyncSpec>(&input.spec->subject) : nullptr;
   designed.cutter = sync != nullptr && cut_list_of(*sync).has_value();
   if (input.spec) designed.ramp = input.spec->coupling;
@@ -62,13 +77,14 @@ Played played(const Input& input, const std::string& log) {
     };
   std::optional<Reference> curve;
   if (const auto tolerance = table_tolerance(input)) {
-    curve = exact_reference(input);
-    designed.over_time.curve = [&](double t) { return at(*curve, t).position; };
+    if (table) {
+      curve = exact_reference(input);
+      designed.over_time.curve = [&](double t) { return at(*curve, t).position; };
+    }
     if (cam != nullptr)
       designed.over_master.curve = [&](double master) { return cam->at(within(master)).position; };
     designed.tolerance = *tolerance;
   }
-  const std::vector<PlayedTick> ticks = read_played(read_file(log), log);
   try {
     return compare_played(ticks, designed);
   } catch (const InputError& error) {
@@ -82,8 +98,9 @@ std::string played_text(const Played& played, const std::string& unit) {
                        rounded(from.limit));
   };
   std::string text = fmt::format(
-      "  {:<12} {}: {} ticks{}{}, {}", "executor", played.report.ok() ? "ok" : "BROKEN",
-      played.ticks, played.live ? " over the live master (the end is not checked)" : "",
+      "  {:<12} {}: job {} from {} s of the log, {} ticks{}{}, {}", "executor",
+      played.report.ok() ? "ok" : "BROKEN", played.job, rounded(played.start), played.ticks,
+      played.live ? " over the live master (the end is not checked)" : "",
       played.left_out > 0 ? fmt::format(" after the ramp ({} ticks, not compared)", played.left_out)
                           : "",
       part(played.table, "table"));
@@ -95,10 +112,9 @@ Json played_json(const Played& played) {
   const auto part = [](const Deviation& from) {
     return Json{{"error", from.error}, {"where", from.where}, {"limit", from.limit}};
   };
-  Json json{{"ticks", played.ticks},
-            {"ticks_left_out", played.left_out},
-            {"live_master", played.live},
-            {"table", part(played.table)}};
+  Json json{{"job", played.job},          {"start", played.start},
+            {"ticks", played.ticks},      {"ticks_left_out", played.left_out},
+            {"live_master", played.live}, {"table", part(played.table)}};
   if (played.curve) json["curve"] = part(*played.curve);
   return json;
 }

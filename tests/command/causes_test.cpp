@@ -138,6 +138,10 @@ TEST(Causes, TextsHaveTheNumbersOfTheRejection) {
   EXPECT_EQ(text(Refusal{Cause::no_reserve, 8000, 8000, 2}, "mm"),
             "no_reserve: The present motion leaves no reserve for a superimposed move: "
             "acceleration or deceleration 8000 mm/s^2, limit 8000 mm/s^2.");
+  EXPECT_THAT(text(Refusal{Cause::no_reserve, 2000, 2000, 5}, "mm"),
+              EndsWith(": deceleration 2000 mm/s^2, limit 2000 mm/s^2, which is the default."));
+  EXPECT_THAT(text(Refusal{Cause::no_reserve, 2000, 1500, 4}, "mm"),
+              EndsWith(": acceleration 2000 mm/s^2, limit 1500 mm/s^2."));
   EXPECT_THAT(remedy_of_order(Cause::no_reserve, CommandKind::move_superimposed),
               ::testing::HasSubstr("--deceleration"));
   EXPECT_EQ(text(Refusal{Cause::no_such_move, 5}, "mm"),

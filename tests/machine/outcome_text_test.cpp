@@ -92,6 +92,13 @@ TEST(OutcomeText, ARemedyNamesTheOptionThatGaveTheNumber) {
     no.reason = std::string("axis: ") + name(cause) + ": " + number + ".";
     return reason_text(no, words, before, "feeder");
   };
+  EXPECT_THAT(
+      text(Cause::no_reserve, "No reserve: deceleration 20 mm/s^2, limit 20 mm/s^2",
+           {.what = "move", .options = {{"on-top", "3"}}}),
+      EndsWith("Begin the present motion with a lower --deceleration, or wait for its end."));
+  EXPECT_THAT(text(Cause::no_reserve, "acceleration or deceleration 20 mm/s^2, limit 20 mm/s^2",
+                   {.what = "move", .options = {{"on-top", "3"}}}),
+              HasSubstr("--velocity, --acceleration, --deceleration and --jerk"));
   EXPECT_THAT(text(Cause::velocity_limit, "9000 mm/s, limit 500 mm/s",
                    {.what = "home", .options = {{"search-velocity", "9m/s"}}}),
               EndsWith("Give a lower --search-velocity."));

@@ -247,6 +247,30 @@ TEST(Played, StatesThatACutterPlaysAPlan) {
             std::string::npos);
 }
 
+// A live master needs no motion of a virtual one.
+TEST(Played, ComparesACamWithoutAMotionOfItsMasterOverTheLog) {
+  Designed cam = doubled();
+  cam.over_time = {};
+  cam.duration = 0;
+  std::string log = "tick,time [s],state,master [mm],position [mm],job,fault,profile [s=mm]\n";
+  for (int k = 0; k < 50; ++k)
+    log += std::to_string(k) + "," + number(k * 0.001) + ",synchronized_motion," +
+           number(420 + 10.0 * k) + "," + number(840 + 20.0 * k) + "," + (k < 10 ? "6" : "7") +
+           ",none,\n";
+  const Played played = compare_played(read_played(log, "run.csv"), cam);
+  EXPECT_TRUE(played.report.ok()) << played.table.error;
+  EXPECT_TRUE(played.live);
+  EXPECT_EQ(played.ticks, 40U);
+  EXPECT_EQ(played.job, 7);
+  EXPECT_EQ(played.start, 0.01);
+  log.replace(log.rfind("1820,"), 5, "1821,");
+  const Played wrong = compare_played(read_played(log, "run.csv"), cam);
+  EXPECT_FALSE(wrong.report.ok());
+  EXPECT_NEAR(wrong.table.error, 1, 1e-9);
+  EXPECT_NE(wrong.report.findings.front().advice.find("a halt, a hold, an override"),
+            std::string::npos);
+}
+
 /// A log of the slave of doubled(), whose correction falls from 20 to 0 in 20 ticks, and which has
 /// an error in one tick. `blade`: a shift of the slave.
 std::string ramped_log(int ticks, double blade, int wrong_tick) {

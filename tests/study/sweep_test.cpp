@@ -443,6 +443,24 @@ TEST_F(Sweeps, RejectWhatMakesNoSense) {
   EXPECT_THAT(refused("[[parameter]]\nkey = \"move.to\"\nvalues = [\"1 mm\"]\n"),
               HasSubstr("mm is not a unit of this quantity: give the value without a unit"));
   EXPECT_THAT(refused(one + "from = 1\nto = 2\n"), HasSubstr("count: is missing"));
+  const auto both = [&](const std::string& body) {
+    std::string all;
+    try {
+      (void)sweep(body);
+    } catch (const InputErrors& errors) {
+      for (const InputError& each : errors.all()) all += each.key() + ' ' + each.rule() + '\n';
+    }
+    return all;
+  };
+  EXPECT_THAT(both(one + "from = 1\nto = 2\nsteps = 5\n"),
+              ::testing::AllOf(HasSubstr("steps is not a key here: did you mean count?"),
+                               HasSubstr("parameter[1].count is missing")));
+  EXPECT_THAT(both(one + "from = 1\nto = 2\nwidth = 5\n"),
+              ::testing::AllOf(HasSubstr("parameter[1].width is not a key here; possible keys: "),
+                               HasSubstr("parameter[1].count is missing")));
+  EXPECT_THAT(both(one + "tolerance = 0.05\n[monte_carlo]\nruns = 100\nseed = 1\n"),
+              ::testing::AllOf(HasSubstr("runs is not a key here: did you mean samples?"),
+                               HasSubstr("monte_carlo.samples is missing")));
   EXPECT_THAT(refused(one + "from = 1\nto = 2\ncount = 1\n"), HasSubstr("must be at least 2"));
   EXPECT_THAT(refused(one + "from = 2\nto = 2\ncount = 25\n"),
               HasSubstr("to = 2 mm/s: must differ from from"));

@@ -165,8 +165,17 @@ std::optional<Refusal> PlayedMotion::superimpose(double distance, const MoveDyna
   if (path_.swaps() || passes()) return Refusal{.cause = Cause::in_motion};
   if (cuts() != nullptr) return Refusal{.cause = Cause::in_cut_plan};
   const auto end = expected_end(now.last.position);
-  return above_.begin(now.tick, distance, dynamics, beneath(now),
-                      end ? std::optional(end->position) : std::nullopt);
+  auto no = above_.begin(now.tick, distance, dynamics, beneath(now),
+                         end ? std::optional(end->position) : std::nullopt);
+  // For a move, the refusal names the one of the two that is used up.
+  constexpr double either = 2, acceleration = 4, deceleration = 5;
+  const MoveDynamics& own = own_.goal().dynamics;
+  if (no && no->cause == Cause::no_reserve && no->where == either && is_move() &&
+      own.acceleration != own.deceleration) {
+    if (no->value == own.acceleration) no->where = acceleration;
+    if (no->value == own.deceleration) no->where = deceleration;
+  }
+  return no;
 }
 
 /// The greatest magnitudes of the motion below a superimposed move. Behind a live master, these are

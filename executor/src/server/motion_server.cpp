@@ -250,8 +250,7 @@ void MotionServer::handle(const StartRequested& start) {
   if (armed != movements_.end()) begins(armed->second);
   motion_session_ = start.session;
   start_.request(start, armed_);
-  const bool at_live_master = start.when == StartAt::master_position && armed != movements_.end() &&
-                              armed->second.made.movement->course() == Course::live;
+  const bool at_live_master = start.when == StartAt::master_position && armed_is_live();
   commands_.send({command::Start{start.when, start.tick, start.position, start.session}},
                  {start.session, start.command, Kind::start,
                   at_live_master ? place_of_master(last_, start.position, options_.units.x) : ""});
@@ -431,12 +430,17 @@ void MotionServer::take_answers() {
   }
 }
 
+bool MotionServer::armed_is_live() const {
+  const auto armed = movements_.find(armed_);
+  return armed != movements_.end() && armed->second.made.movement->course() == Course::live;
+}
+
 void MotionServer::answer(const Request& request, const std::optional<Refusal>& refused) {
   if (request.kind == Kind::start) start_.answer(request.session, request.command, refused);
   // A stop that an axis in a fault rejects still counts as accepted: the axis does not move.
   if (!refused || request.kind == Kind::stop)
     return receiver_.accept(request.session, request.command, request.note);
-  const std::string reason = refusal_text(*refused, last_, options_, request.kind);
+  const std::string reason = refusal_text(*refused, last_, options_, request.kind, armed_is_live());
   receiver_.refuse(request.session, request.command, reason,
                    static_cast<std::int32_t>(refused->cause));
   notify("rejected: " + reason);

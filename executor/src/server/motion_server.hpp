@@ -123,6 +123,8 @@ class MotionServer {
   [[nodiscard]] bool pass_on(const CommandRequested& requested, const Request& request);
   void arm(const Request& request, MadeMovement made, const Sha256& hash, std::int64_t group);
   void record(const MadeMovement& made);
+  /// True if the movement that was armed last follows a live master.
+  [[nodiscard]] bool armed_is_live() const;
   void answer(const Request& request, const std::optional<Refusal>& refused);
   void decline(const CommandRequested& requested, Cause cause, FixedReason reason);
   /// `reason`: a text with names, which ends with "..." if it is too long.

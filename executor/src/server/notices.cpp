@@ -207,57 +207,93 @@ std::string endless_text(Cause cause, const Tick& now, const ExecutorOptions& op
                         : follows + halt;
 }
 
-/// True for a motion whose start depends on the present position of a moving master. A table over
-/// time has a time of its start.
-bool begins_with_moving_master(const Refusal& refusal, const Tick& now) {
-  const double velocity = now.live_master[1];
-  return std::isnan(refusal.where) && std::isfinite(velocity) && velocity != 0;
+/// The places of a table and of the axis, as text; with twelve digits if six look equal.
+struct StartPlaces {
+  std::string table, axis;
+  std::string move;  ///< the order that moves the axis to the table
+};
+
+StartPlaces start_places(const Refusal& refusal, const ExecutorOptions& options) {
+  StartPlaces is{.table = place_in_units(refusal.value, options), .axis = {}, .move = {}};
+  const bool close = in_units(refusal.value, options) == in_units(refusal.limit, options);
+  is.axis = close ? place_in_units(refusal.limit, options) : in_units(refusal.limit, options);
+  std::string place = is.table;
+  std::erase(place, ' ');
+  is.move = "`jounce order " + options.receiver.executor + " move --to " + place + "`";
+  return is;
 }
 
-/// A table that begins elsewhere than the axis stands, or will stand.
-std::string start_position_text(const Refusal& refusal, const Tick& now,
-                                const ExecutorOptions& options, CommandKind order_sent) {
+/// A cam on a live master that is elsewhere than the axis. --adopt-start has no effect on it, so the
+/// text has no name of the cause: `jounce stream` adds no remedy. While the master moves, the place
+/// of the cam is no remedy: after a move to it, the master is elsewhere.
+std::string live_start_text(const StartPlaces& at, const Tick& now,
+                            const ExecutorOptions& options) {
   const std::string order = "`jounce order " + options.receiver.executor;
-  const std::string start = place_in_units(refusal.value, options);
-  const bool close = in_units(refusal.value, options) == in_units(refusal.limit, options);
-  const std::string present =
-      close ? place_in_units(refusal.limit, options) : in_units(refusal.limit, options);
+  const double velocity = now.live_master[1];
+  const bool master_moves = std::isfinite(velocity) && velocity != 0;
+  const bool endless =
+      now.state == State::synchronized_motion || now.state == State::continuous_motion;
+  const std::string places = "the cam is at " + at.table + ", the axis at " + at.axis;
+  const std::string ramp = "start = \"ramp_in\" in [coupling]";
+  if (options.cutter && options.follow.what != Follow::What::nothing && !in_motion(now)) {
+    const std::string cutter = "send " + order + " start` for its cutter";
+    return fitting({places + ": " + cutter, "the cam is at " + at.table + ": " + cutter, cutter});
+  }
+  if (endless) {
+    const std::string halt = "the axis keeps moving: send " + order + " halt`, then ";
+    const std::string with_ramp = halt + "use " + ramp;
+    if (master_moves) return with_ramp;
+    return fitting({halt + at.move + ", and repeat the command", halt + at.move, with_ramp});
+  }
+  if (master_moves) {
+    const std::string moves = "the master moves: use " + ramp;
+    const std::string there = ", or --start-at where the cam rests at ";
+    return fitting({"the cam is at " + at.table + " now, the axis at " + at.axis + ", and " +
+                        moves + there + "this place",
+                    moves + there + "the place of the axis", moves});
+  }
+  const std::string when = in_motion(now) ? ": after the present motion, send " : ": send ";
+  return fitting({places + when + at.move + ", or use " + ramp, places + when + at.move,
+                  "the cam is elsewhere" + when + at.move});
+}
+
+/// A table that begins elsewhere than the axis stands, or will stand. If the executor adopts the
+/// start already, the text has no name of the cause: `jounce stream` does not add this remedy.
+std::string start_position_text(const Refusal& refusal, const Tick& now,
+                                const ExecutorOptions& options, bool live) {
+  const std::string order = "`jounce order " + options.receiver.executor;
+  const StartPlaces at = start_places(refusal, options);
   if (now.fault != Cause::none) {
     const std::string reset = "the axis has a fault: " + std::string(name(now.fault)) +
                               ". First send " + order +
                               " reset`, and move the axis to the start of the table";
-    return fitting({reset + ", " + start, reset});
+    return fitting({reset + ", " + at.table, reset});
   }
   if (std::isnan(refusal.value))
-    return "the motion does not begin at the position of the axis, " + present;
-  const std::string head = std::string(name(refusal.cause)) + ": ";
-  const std::string begins = head + "The table begins at " + start;
-  if (options.cutter && options.follow.what != Follow::What::nothing && !in_motion(now)) {
-    const std::string cutter = ": send " + order + " start` for its cutter.";
-    return fitting({begins + ", but the axis is at " + present + cutter, begins + cutter});
-  }
+    return "the motion does not begin at the position of the axis, " + at.axis;
+  if (live) return live_start_text(at, now, options);
+  const bool adopts = options.adopt_start;
+  const std::string head = adopts ? "" : std::string(name(refusal.cause)) + ": ";
+  const std::string begins = head + (adopts ? "the" : "The") + " table begins at " + at.table;
+  const std::string stop = adopts ? "" : ".";
   const bool endless =
       now.state == State::synchronized_motion || now.state == State::continuous_motion;
   if (endless) {
-    const std::string halt =
-        "he axis keeps moving: send " + order + " halt`, and repeat the command.";
-    return fitting({begins + ", but t" + halt, head + "T" + halt});
+    const std::string halt = "the axis keeps moving: send " + order + " halt`, ";
+    const std::string then =
+        halt + (adopts ? "" : "then " + at.move + ", ") + "and repeat the command" + stop;
+    const std::string first = head + halt + "and move it to the start of the table" + stop;
+    return fitting({begins + ", but " + then, head + then, first});
   }
-  if (order_sent == CommandKind::start && begins_with_moving_master(refusal, now)) {
-    const std::string moves =
-        "the master moves: use --start-at ahead, where they meet, or start = \"ramp_in\" in "
-        "[coupling]";
-    return fitting(
-        {"the cam is at " + start + " now, the axis at " + present + ", and " + moves, moves});
-  }
-  std::string place = start;
-  std::erase(place, ' ');
   const bool moves = in_motion(now);
-  const std::string move = (moves ? ": after the present motion, send " : ": send ") + order +
-                           " move --to " + place + "`.";
+  if (moves && adopts)
+    return fitting(
+        {begins + ", but the present motion ends at " + at.axis + ": repeat the command after it",
+         begins + ": repeat the command after the present motion"});
+  const std::string move =
+      (moves ? ": after the present motion, send " : ": send ") + at.move + stop;
   return fitting({begins + (moves ? ", but the present motion ends at " : ", but the axis is at ") +
-                      present + (moves ? ": after it, send " : ": send ") + order + " move --to " +
-                      place + "`.",
+                      at.axis + (moves ? ": after it, send " : ": send ") + at.move + stop,
                   begins + move, head + "Move the axis to the start of the table first" + move});
 }
 
@@ -307,7 +343,7 @@ std::string disabled_group_text(Cause cause, const Tick& now, const ExecutorOpti
 }  // namespace
 
 std::string refusal_text(const Refusal& refusal, const Tick& now, const ExecutorOptions& options,
-                         CommandKind order) {
+                         CommandKind order, bool live) {
   if (refusal.cause == Cause::in_group && !options.groups.empty())
     return in_group_text(options.groups, order);
   if (const std::string order_of_enables = disabled_group_text(refusal.cause, now, options);
@@ -323,7 +359,7 @@ std::string refusal_text(const Refusal& refusal, const Tick& now, const Executor
   if (refusal.cause == Cause::cutter_away && std::isfinite(refusal.value))
     return home_position_text(refusal, options);
   if (refusal.cause == Cause::start_position)
-    return start_position_text(refusal, now, options, order);
+    return start_position_text(refusal, now, options, live);
   const std::string unit = unit_of_axis(refusal, options);
   std::string words = text(refusal, unit, options.units.x, group_names(options));
   constexpr std::string_view either = "The axis or group ";

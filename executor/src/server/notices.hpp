@@ -22,9 +22,10 @@ std::string fault_text(const Tick& now, const std::string& unit, const AxisConfi
 
 /// Returns text() of a rejection, with the state of the axis in this tick: the present fault for
 /// in_error and not_enabled, the reason for no_master_input, the present motion for start_position,
-/// the possible distances for a relative move. `order`: kind of the rejected command.
+/// the possible distances for a relative move. `order`: kind of the rejected command. `live`: the
+/// armed motion follows a live master.
 std::string refusal_text(const Refusal& refusal, const Tick& now, const ExecutorOptions& options,
-                         CommandKind order = CommandKind::none);
+                         CommandKind order = CommandKind::none, bool live = false);
 
 /// Returns the changes of an axis between two of its ticks as sentences: "started at tick 1600". For
 /// the other parameters, see fault_text().

@@ -138,6 +138,11 @@ std::string remedy_of_option(const CallOutcome& outcome, const CommandWords& wor
   if (static_cast<Cause>(outcome.cause) == Cause::no_such_move &&
       outcome.reason.find(" is not in this direction from ") != std::string::npos)
     return "Leave out --direction, or give a target on the other side.";
+  if (static_cast<Cause>(outcome.cause) == Cause::no_reserve)
+    for (const std::string option : {"acceleration", "deceleration"})
+      if (const std::size_t at = outcome.reason.find(": " + option + " ");
+          at != std::string::npos && outcome.reason.find(" or ", at) == std::string::npos)
+        return "Begin the present motion with a lower --" + option + ", or wait for its end.";
   const auto quantity = limited_quantity(outcome.cause);
   const auto value = refused_value(outcome.reason);
   const bool of_axis =

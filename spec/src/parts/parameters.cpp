@@ -33,7 +33,10 @@ SpecParameter read_parameter(TomlReader& table) {
   parameter.key = table.text("key", "KEY");
   parameter.unit = unit_of(table, parameter.key);
   const auto range = table.optional_pair("range", parameter.unit);
-  if (!range) table.fail("range", "", "is missing: add range = [least, greatest]");
+  if (!range) {
+    table.finish();
+    table.fail("range", "", "is missing: add range = [least, greatest]");
+  }
   std::tie(parameter.lower, parameter.upper) = *range;
   if (parameter.lower >= parameter.upper)
     table.fail("range",
@@ -48,9 +51,9 @@ FigureBound read_bound(TomlReader& table) {
   FigureBound bound{table.text("figure", "FIGURE")};
   bound.at_least = table.optional_quantity("at_least");
   bound.at_most = table.optional_quantity("at_most");
+  table.finish();
   if (!bound.at_least && !bound.at_most)
     table.fail("at_most", "", "is missing: add at_most, at_least, or both");
-  table.finish();
   return bound;
 }
 

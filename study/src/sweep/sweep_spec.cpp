@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <initializer_list>
 #include <utility>
 
 #include "jounce/base/detail/printable.hpp"
@@ -34,13 +35,25 @@ auto read_in(const std::string& unit, const Read& read) -> decltype(read("")) {
   }
 }
 
+/// Rejects a table without this key, which no other key replaces. Also reports the keys that are not
+/// in the format, first those of other programs that have this meaning.
+[[noreturn]] void reject_missing(TomlReader& table, const char* key, const std::string& rule,
+                                 std::initializer_list<const char*> others) {
+  const std::string meant = std::string("is not a key here: did you mean ") + key + "?";
+  for (const char* other : others) table.refuse_here(other, meant);
+  table.finish();
+  table.fail(key, "", rule);
+}
+
 Values read_grid(TomlReader& table, const std::string& unit) {
   const double from = read_in(unit, [&](const auto& u) { return table.number("from", u); });
   const double to = read_in(unit, [&](const auto& u) { return table.number("to", u); });
   if (from == to)
     table.fail("to", number(to), "must differ from from: give one value as values = [NUMBER]");
   const auto count = table.optional_count("count");
-  if (!count) table.fail("count", "", "is missing: give the number of values, both ends included");
+  if (!count)
+    reject_missing(table, "count", "is missing: give the number of values, both ends included",
+                   {"steps", "step", "points", "samples", "number", "n"});
   if (*count < 2) table.fail("count", std::to_string(*count), "must be at least 2");
   if (*count > SweepSpec::most_cases)
     table.fail("count", std::to_string(*count),
@@ -164,7 +177,12 @@ void read_monte_carlo(TomlReader& top, SweepSpec& spec) {
   if (!spec.random())
     top.fail("monte_carlo", "", "needs a parameter with tolerance, uniform or normal");
   const auto samples = table->optional_count("samples");
-  if (!samples) table->fail("samples", "", "is missing: add samples = NUMBER, the number of cases");
+  if (!samples) {
+    table->may_have("seed");
+    table->may_have("design");
+    reject_missing(*table, "samples", "is missing: add samples = NUMBER, the number of cases",
+                   {"count", "cases", "runs", "number", "n"});
+  }
   spec.samples = *samples;
   if (const auto seed = table->optional_whole("seed"))
     spec.seed = static_cast<std::uint64_t>(*seed);

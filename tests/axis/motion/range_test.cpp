@@ -266,5 +266,28 @@ TEST(Range, ASuperimposedMoveTakesWhatTheLimitsLeave) {
       << "the move below takes the whole acceleration";
 }
 
+TEST(Range, ASuperimposedMoveWithoutReserveNamesWhatTheMoveBelowUsesUp) {
+  const AxisConfig config{.limits = limits(1000, 10'000, 1e6)};
+  struct Case {
+    double acceleration, deceleration, where;
+  };
+  for (const auto& [acceleration, deceleration, where] : {Case{5000, as_configured, 5},
+                                                          {as_configured, 5000, 4},
+                                                          {as_configured, as_configured, 2}}) {
+    Bench bench(config);
+    bench.send(Kind::enable);
+    bench.step({command::MoveAbsolute{
+        .position = 100,
+        .dynamics = {
+            .velocity = 500, .acceleration = acceleration, .deceleration = deceleration}}});
+    bench.run(20);
+    const Tick tick = bench.step({command::MoveSuperimposed{.distance = 1}});
+    ASSERT_TRUE(tick.refused);
+    EXPECT_EQ(tick.refused->cause, Cause::no_reserve);
+    EXPECT_EQ(tick.refused->where, where);
+    EXPECT_EQ(tick.refused->value, 10'000);
+  }
+}
+
 }  // namespace
 }  // namespace jounce::range_test

@@ -318,8 +318,12 @@ TEST(Notices, ATableOnALiveMasterNamesTheCutterOfTheAxisFirst) {
   options.units.position = "deg";
   options.follow = {.what = Follow::What::master};
   options.cutter.emplace();
-  EXPECT_THAT(refusal_text({Cause::start_position, -0.0119, 0}, {}, options),
-              ::testing::EndsWith("send `jounce order knife start` for its cutter."));
+  const Refusal away{Cause::start_position, -0.0119, 0};
+  EXPECT_EQ(refusal_text(away, {}, options, CommandKind::start, true),
+            "the cam is at -0.0119 deg, the axis at 0 deg: send `jounce order knife start` for its "
+            "cutter");
+  EXPECT_THAT(refusal_text(away, {}, options, CommandKind::arm), HasSubstr("move --to"))
+      << "the order for the cutter begins no table over time";
 }
 
 // The place of the cam at this instant is no remedy: after a move to it, the master is elsewhere.
@@ -328,16 +332,59 @@ TEST(Notices, ACamOnAMovingMasterNamesRemediesThatDoNotDependOnTheInstant) {
   options.receiver.executor = "pusher";
   options.units.position = "mm";
   const Refusal away{Cause::start_position, -1234.5678, -8765.4321};
+  const auto live = [&](const Tick& now) {
+    const std::string text = refusal_text(away, now, options, CommandKind::start, true);
+    EXPECT_LT(text.size(), wire::reason_bytes) << text;
+    EXPECT_THAT(text, Not(::testing::StartsWith("start_position")))
+        << "--adopt-start has no effect";
+    return text;
+  };
   const Tick moving{.live_master = {0.25, 0.3}};
-  const std::string text = refusal_text(away, moving, options, CommandKind::start);
-  EXPECT_EQ(text,
-            "the cam is at -1234.5678 mm now, the axis at -8765.43 mm, and the master moves: use "
-            "--start-at ahead, where they meet, or start = \"ramp_in\" in [coupling]");
-  EXPECT_LT(text.size(), wire::reason_bytes);
+  EXPECT_EQ(live(moving),
+            "the master moves: use start = \"ramp_in\" in [coupling], or --start-at where the cam "
+            "rests at the place of the axis");
+  EXPECT_EQ(refusal_text({Cause::start_position, 5, 0}, moving, options, CommandKind::start, true),
+            "the cam is at 5 mm now, the axis at 0 mm, and the master moves: use start = "
+            "\"ramp_in\" in [coupling], or --start-at where the cam rests at this place");
+  Tick endless = moving;
+  endless.state = State::synchronized_motion;
+  EXPECT_EQ(live(endless),
+            "the axis keeps moving: send `jounce order pusher halt`, then use start = \"ramp_in\" "
+            "in [coupling]");
   const Tick resting{.live_master = {0.25, 0}};
-  EXPECT_THAT(refusal_text(away, resting, options, CommandKind::start), HasSubstr("move --to"));
+  EXPECT_EQ(live(resting),
+            "the cam is at -1234.5678 mm, the axis at -8765.43 mm: send `jounce order pusher move "
+            "--to -1234.5678mm`, or use start = \"ramp_in\" in [coupling]");
+  endless.live_master = resting.live_master;
+  EXPECT_EQ(
+      live(endless),
+      "the axis keeps moving: send `jounce order pusher halt`, then `jounce order pusher move "
+      "--to -1234.5678mm`, and repeat the command");
   const Refusal over_time{Cause::start_position, 1, 2, 0};
   EXPECT_THAT(refusal_text(over_time, moving, options, CommandKind::arm), HasSubstr("move --to"));
+}
+
+// `jounce stream` adds "Or start the executor with --adopt-start." to a text with the name of the cause.
+TEST(Notices, ATableOverTimeNamesTheCauseOnlyIfTheExecutorDoesNotAdoptTheStart) {
+  ExecutorOptions options;
+  options.receiver.executor = "x";
+  options.units.position = "mm";
+  const Refusal away{Cause::start_position, 10, 3, 0};
+  const auto text = [&](State state, bool adopts) {
+    options.adopt_start = adopts;
+    const Tick now{.state = state, .job = state == State::discrete_motion ? 1U : 0U};
+    return refusal_text(away, now, options, CommandKind::arm);
+  };
+  EXPECT_EQ(
+      text(State::continuous_motion, false),
+      "start_position: The table begins at 10 mm, but the axis keeps moving: send `jounce order "
+      "x halt`, then `jounce order x move --to 10mm`, and repeat the command.");
+  EXPECT_EQ(text(State::continuous_motion, true),
+            "the table begins at 10 mm, but the axis keeps moving: send `jounce order x halt`, and "
+            "repeat the command");
+  EXPECT_EQ(text(State::discrete_motion, true),
+            "the table begins at 10 mm, but the present motion ends at 3 mm: repeat the command "
+            "after it");
 }
 
 TEST(Notices, ReportAStartThatDidNotBegin) {

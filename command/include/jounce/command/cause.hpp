@@ -167,7 +167,8 @@ struct Refusal {
   /// causes have other numbers:
   /// - axis_not_ready, axis_away: number of the axis in the group, from 1. axis_not_ready also has
   ///   the bits of all axes that are not ready, in `limit`.
-  /// - no_reserve: the limit without remainder, 1: velocity, 2: acceleration, 3: jerk.
+  /// - no_reserve: the limit without remainder, 1: velocity, 2: acceleration or deceleration, 3:
+  ///   jerk; for a move, 4: acceleration, 5: deceleration.
   /// - no_trigger_input: NaN; the input is in `value`, and the bits of those that the drive has are
   ///   in `limit`.
   double where = std::numeric_limits<double>::quiet_NaN();

@@ -25,7 +25,8 @@ struct PlayedTick {
   std::optional<double> master = {};
   /// Correction of the slave by its registration, u, which `position` includes; 0: none.
   double correction = 0;
-  bool fault = false;  ///< true: the next tick has a fault, which ended the motion
+  bool fault = false;    ///< true: the next tick has a fault, which ended the motion
+  std::int64_t job = 0;  ///< number of the motion, column `job`
 };
 
 /// Returns the ticks of the last motion in a tick log (TickLog). `csv` is the text of the log,
@@ -63,6 +64,8 @@ struct Deviation {
 struct Played {
   std::size_t ticks = 0;             ///< number of ticks compared
   std::size_t left_out = 0;          ///< number of ticks before them, which belong to the ramp
+  std::int64_t job = 0;              ///< number of the motion in the log
+  double start = 0;                  ///< time of the log at which it starts, s
   bool live = false;                 ///< true: compared over the master of the log
   Deviation table{};                 ///< deviation from the table
   std::optional<Deviation> curve{};  ///< deviation from the curve, if the reference has one
@@ -83,10 +86,11 @@ struct Played {
 /// slave counted from its first tick. Over the master, the comparison subtracts the correction of
 /// the slave. If the slave engaged with a ramp, the comparison leaves out the ticks before the first
 /// three in a row on the table, at most those within twice the time that the limits of the ramp
-/// permit, and throws InputError if fewer than three ticks remain. Requires at least one tick, and a table over time in
-/// `designed`. The permitted rounding is most_roundings eps (p + v t), with the greatest position
-/// p, the greatest velocity v, and the time t of the log. A position is computed from a time, so
-/// the rounding of the time shifts the position.
+/// permit, and throws InputError if fewer than three ticks remain. Requires at least one tick, and in
+/// `designed` a table over time, or for ticks with a master, one over the master. The permitted
+/// rounding is most_roundings eps (p + v t), with the greatest position p, the greatest velocity v,
+/// and the time t of the log. A position is computed from a time, so the rounding of the time shifts
+/// the position.
 Played compare_played(const std::vector<PlayedTick>& ticks, const Designed& designed);
 /// Number of units in the last place that compare_played() permits.
 inline constexpr double most_roundings = 32;
