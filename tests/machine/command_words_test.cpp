@@ -204,8 +204,9 @@ TEST(CommandWords, AllWrongOptionsAreReported) {
             "--start-distance = 5kg: kg is not a unit of this quantity: give the value in deg");
   EXPECT_EQ(
       errors({.what = "gear-out", .options = {{"offset", "10"}, {"to", "5"}}}),
-      "--offset = 10: does not apply to gear-out, which takes no value and no option but --at\n"
-      "--to = 5: does not apply to gear-out, which takes no value and no option but --at");
+      "--offset = 10: does not apply to gear-out, which takes no value; its only own option is "
+      "--at\n"
+      "--to = 5: does not apply to gear-out, which takes no value; its only own option is --at");
 }
 
 TEST(CommandWords, AnOrderWithCoordinatesNamesThatOfAnAxis) {
@@ -399,7 +400,7 @@ TEST(CommandWords, AWrongValueIsNamed) {
   EXPECT_EQ(test::rule_of([] {
               require_taken({.what = "enable", .options = {{"to", "5"}}});
             }),
-            "does not apply to enable, which takes no value and no option but --at");
+            "does not apply to enable, which takes no value; its only own option is --at");
 }
 
 TEST(CommandWords, ADurationIsForAHeldJogOnly) {

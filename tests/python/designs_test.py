@@ -176,7 +176,7 @@ class Designs(unittest.TestCase):
     def test_errors_name_the_arguments_of_python(self) -> None:
         with self.assertRaises(jounce.InputError) as caught:
             jounce.load(ROOT / "examples/gcode-part/plate.ngc")
-        self.assertIn("with machine,", caught.exception.rule)
+        self.assertIn("with machine to check,", caught.exception.rule)
         with tempfile.TemporaryDirectory() as folder:
             file = pathlib.Path(folder) / "comma.txt"
             file.write_text("0;0,5\n1;1,5\n2;2,5\n")

@@ -598,7 +598,8 @@ void require_in_word(const CommandWords& words, const std::vector<std::string>& 
           value_word, text,
           text.find('=') != std::string::npos ? "has the name of an axis: give --to " + text
           : text.find(',') == std::string::npos
-              ? "needs the name of an axis, such as x=" + text
+              ? "needs the name of an axis, such as x=" +
+                    (text.find_first_of("0123456789") == std::string::npos ? "10mm" : text)
               : "is a list without names: give --to " + text + ", or names, such as x=10 y=5");
     if (option == value_word && taken.size() == 1)
       throw InputError(value_word, text,
@@ -610,7 +611,7 @@ void require_in_word(const CommandWords& words, const std::vector<std::string>& 
                            meant_distance(taken, text) + "?");
     throw InputError(dashed(option), text,
                      "does not apply to " + words.what +
-                         (taken.empty() ? ", which takes no value and no option but --at"
+                         (taken.empty() ? ", which takes no value; its only own option is --at"
                                         : ", which has " + listed(with_common(taken), dashed)));
   };
   ErrorsOfOrder errors;

@@ -68,7 +68,8 @@ class SimulatedMarks {
 ///
 /// The switches respond to the position of the motor. The encoder latches without delay or
 /// rounding. Marks on the master are detected with the position of the master that the axis used in
-/// the previous cycle; the drive reports them one cycle later, with the time since the edge.
+/// the previous cycle. So the drive reports a mark one cycle after it passes, with the time since
+/// the edge.
 class DriveOnMachine final : public AxisDrive {
  public:
   /// `drive`: the drive of the axis. `period`: duration of the cycle, s. Throws InputError with the

@@ -12,8 +12,8 @@
 
 namespace jounce {
 
-/// A smooth curve of polynomial pieces for Program::curve(). Its parameter is nearly the arc
-/// length.
+/// A smooth curve of polynomial pieces for Program::curve(). The parameter of
+/// ellipse() and over_length() is nearly the arc length.
 ///
 ///     const PathCurve half = ellipse({}, {5000, 0}, {10000, 0}, Plane{0, 1}, 0, 0.8,
 ///                                    ArcRotation::clockwise, 2);
@@ -21,14 +21,14 @@ namespace jounce {
 ///     half.deviation;    // certified bound of the distance from the ellipse
 ///     half.speed_error;  // certified bound of | |r'| - 1 |
 ///
-/// The pieces are the path, so its limits are exact. `deviation` bounds the distance from the
+/// The motion follows these pieces, so limits are checked exactly. `deviation` bounds the distance from the
 /// pieces to the requested shape. `speed_error` bounds the difference between the parameter and arc
 /// length; the timing law is slower by this share, so the motion never exceeds the feed.
 struct PathCurve {
   std::size_t axes = 0;                ///< number of axes
   std::vector<Segment> segments = {};  ///< for each piece, one segment for each axis
   Point from{}, to{};                  ///< start and end
-  double length = 0;                   ///< length in q
+  double length = 0;                   ///< length of the interval of the parameter
   double deviation = 0;                ///< bound, unit of length
   double speed_error = 0;              ///< bound, relative
 };
@@ -42,8 +42,8 @@ struct SplineDirections {
 
 /// Returns the cubic spline through `points`; the first point is the start. The parameter is the
 /// length of the chords. The spline is twice continuously differentiable, and has the given
-/// directions at its ends. `path_axes` is the number of axes in which length is measured; 0, or if
-/// only followers move: all. Throws InputError "points" for fewer than two points, or for neighbors
+/// directions at its ends. Length is measured in the first `path_axes` axes; in all axes if
+/// `path_axes` is 0 or only followers move. Throws InputError "points" for fewer than two points, or for neighbors
 /// without a distance in these axes.
 PathCurve spline_through(std::span<const Point> points, std::size_t axes,
                          const SplineDirections& ends = {}, std::size_t path_axes = 0);
@@ -59,9 +59,9 @@ PathCurve b_spline(std::span<const Point> points, std::size_t axes, std::size_t 
 
 /// Returns a polynomial curve as a function of arc length, by pieces of degree 7. `deviation` grows
 /// by at most `tolerance` (unit of length); an enclosure of the eighth derivative proves this.
-/// Lengths are computed by Gauss quadrature of two orders. `path_axes` is the number of axes in
-/// which length is measured; 0, or if only followers move: all. Tangential neighbors of the result
-/// are passed without a corner. Throws InputError "tolerance", and "point" at a cusp.
+/// Lengths are computed by Gauss quadrature of two orders. Length is measured in the first
+/// `path_axes` axes; in all axes if `path_axes` is 0 or only followers move. Where pieces meet
+/// tangentially, there is no corner. Throws InputError "tolerance", and "point" at a cusp.
 PathCurve over_length(const PathCurve& curve, double tolerance, std::size_t path_axes = 0);
 
 /// Options of ellipse().

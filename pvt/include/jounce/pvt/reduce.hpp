@@ -42,9 +42,8 @@ namespace jounce {
 ///
 /// **Dwells and straight lines** of the curve (such as a slave in step) are exact intervals of the
 /// table, for every tolerance. The two ends of such an interval are knots; on a grid, the knots are
-/// the nearest grid places inside the interval. If the neighbors are straight lines as well, as
-/// in a table that was recorded in counts, this applies only to dwells of at least 1/64 of the
-/// curve. A line is not kept exact if its rounded ends would break the tolerance. Neither dwells
+/// the nearest grid places inside the interval. Where several straight lines follow each other,
+/// as in a table that was recorded in counts, only dwells of at least 1/64 of the curve are exact. A line is not kept exact if its rounded ends would break the tolerance. Neither dwells
 /// nor lines are kept exact if `spacing` leaves no place for their knots.
 ///
 /// **Quadratic pieces.** Each interval between two knots of the curve has an additional knot in its
@@ -60,8 +59,8 @@ namespace jounce {
 /// numbers.
 
 /// Requirements for the table. At least one of `tolerance`, `velocity_tolerance` and `most` must be
-/// given. If only `most` is given, the table has the least position error that is possible with
-/// this number of knots.
+/// given. If only `most` is given, the position error of the table is close to the least that is
+/// possible with this number of knots (see Fewest).
 struct Target {
   Interpolation rule = Interpolation::cubic_hermite;  ///< interpolation of the table
   /// True: pieces of degree 2, for controllers whose segments have a linear velocity (Googol's
@@ -86,8 +85,8 @@ struct Target {
 /// increments are whole multiples of the steps, and their sum is the whole travel. The start of the
 /// curve must be a whole number of `x_step`. The period of a curve that repeats must be a whole
 /// number of `x_step`, and its advance a whole number of `p_step`; otherwise the table would drift,
-/// and the function throws. A table of a curve that holds ends at the first multiple of `x_step` at
-/// or after the end of the curve. Any other curve must end at such a multiple. The search chooses
+/// and the function throws. If the curve holds its last value, the table ends at the first multiple of
+/// `x_step` at or after the end of the curve. Any other curve must end at such a multiple. The search chooses
 /// the farthest possible knot. If the tolerance is below p_step / 2, knots are at places where the
 /// curve is close to whole counts.
 ///

@@ -45,8 +45,8 @@ struct Rise {
 };
 
 /// Returns all rises of a cam, in order. Outside its interval, a cam that holds is at rest, and a
-/// periodic cam continues at its other end. A cam that refuses has no neighbors, so no derivative
-/// steps at its ends.
+/// periodic cam continues at its other end. A cam with Extrapolation::refuse has no neighbors, so no
+/// derivative steps at its ends.
 std::vector<Rise> rises(const Cam& cam);
 
 /// Returns the whole cam as one rise, for any states at its ends. Throws InputError("stroke", ...)

@@ -12,16 +12,16 @@ namespace jounce {
 /// Options of a group.
 struct GroupOptions {
   SenderOptions sender = {};  ///< times of each stream
-  /// Common tick of the start; -1: the first tick for which all axes can have accepted the start.
+  /// Common tick of the start; -1: `lead` after the newest known tick.
   std::int64_t tick = -1;
-  /// For tick -1: time from the newest known tick to the start.
+  /// For tick -1: time for all axes to accept the start.
   Nanos lead = std::chrono::milliseconds(300);
   bool watch = true;  ///< true: ends when all motions have ended; false: when all have begun
 };
 
 /// Streams to several axes of one machine whose motions start together: sends all tables, arms all
 /// axes, and starts them in the same tick. If one axis rejects a message, no axis starts. If one
-/// axis then cannot start, stops, or fails, the others stop, too. Axes of different machines are
+/// axis later fails to start, stops or has a fault, the others stop, too. Axes of different machines are
 /// rejected, because they cannot start in the same tick. The goal and the start tick of each plan
 /// are replaced by those of the group.
 ///
