@@ -83,6 +83,61 @@ TEST(StartOutcome, ADroppedStartIsReportedWithItsNumbers) {
   }
 }
 
+/// A slave that is to follow this cam from now on.
+StreamPlan at_once(const TablePtr& cam, const CouplingSpec& coupling = {}) {
+  StreamPlan plan = at_460(cam, coupling);
+  plan.when = StartAt::tick;
+  plan.position = 0;
+  return plan;
+}
+
+/// A cam that rises by 10 and falls again in each `period` of its master.
+TablePtr cam_from(double start, double period) {
+  return table(Domain::master, Interpolation::quintic_hermite, Extrapolation::wrap,
+               {{0, period / 2, period}, {start, start + 10, start}, {0, 0, 0}, {0, 0, 0}});
+}
+
+CallOutcome order(Site& site, const std::string& axis, const ClientCommand& what) {
+  Client client(site.link, axis, {}, site.clock);
+  const CallOutcome outcome = client.command(what);
+  EXPECT_TRUE(client.release().ok());
+  return outcome;
+}
+
+// The two tests follow the remedies of the rejection word for word.
+TEST(StartOutcome, ACamElsewhereThanTheAxisBeginsAfterTheMoveOfItsRejection) {
+  Site site(line_and_slave());
+  const TablePtr cam = cam_from(3, 1000);
+  const StreamOutcome rejected = site.stream(at_once(cam));
+  ASSERT_EQ(rejected.cause, static_cast<int>(Cause::start_position)) << rejected.reason;
+  EXPECT_THAT(rejected.reason, HasSubstr("send `jounce order slave move --to 3`"));
+  ASSERT_TRUE(order(site, "slave", command::MoveAbsolute{.position = 3}).ok());
+  site.advance(2s);
+  const StreamOutcome begun = site.stream(at_once(cam));
+  EXPECT_TRUE(begun.ok()) << begun.reason;
+}
+
+TEST(StartOutcome, ACamOnAMovingMasterBeginsWithTheRampOrTheStartOfItsRejection) {
+  const CouplingSpec ramp{.start = StartMode::ramp_in, .velocity_diff = 150, .acceleration = 5000};
+  const TablePtr cam = cam_from(0, 400);
+  StreamPlan ahead = at_460(cam);
+  ahead.position = 800;
+  for (const StreamPlan& remedy : {at_once(cam, ramp), ahead}) {
+    Site site(line_and_slave());
+    ASSERT_TRUE(site.stream(jog()).ok());
+    site.advance(520ms);
+    const StreamOutcome rejected = site.stream(at_once(cam));
+    ASSERT_EQ(rejected.cause, static_cast<int>(Cause::start_position)) << rejected.reason;
+    EXPECT_THAT(rejected.reason,
+                HasSubstr("the master moves: use start = \"ramp_in\" in "
+                          "[coupling], or --start-at where the cam rests at this"));
+    EXPECT_NE(site.last(0).velocity, 0);
+    const StreamOutcome begun = site.stream(remedy);
+    EXPECT_TRUE(begun.ok()) << begun.reason;
+    EXPECT_TRUE(begun.started);
+  }
+}
+
 TEST(StartOutcome, AStopWhileItWaitsIsNoBeginning) {
   Site site(line_and_slave());
   StreamOptions options;
@@ -200,6 +255,7 @@ TEST(StartOutcome, AnAbsoluteCamIsComparedModulo) {
     Site site(axes);
     StreamPlan plan = at_460(pmc600_cam());
     plan.when = StartAt::tick;
+    plan.position = 0;
     plan.position = 0;
     const StreamOutcome outcome = site.stream(plan);
     EXPECT_EQ(outcome.started, turn != 0) << outcome.reason;
