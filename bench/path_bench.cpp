@@ -136,7 +136,7 @@ BENCHMARK(axes_of_a_plan)->Unit(benchmark::kMicrosecond);
 }  // namespace jounce
 
 int main(int argc, char** argv) {
-  jounce::keep_freed_memory();  // as the program does
+  jounce::keep_freed_memory();  // the program does the same
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
   benchmark::RunSpecifiedBenchmarks();

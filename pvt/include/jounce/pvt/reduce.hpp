@@ -43,11 +43,12 @@ namespace jounce {
 /// **Dwells and straight lines** of the curve (such as a slave in step) are exact intervals of the
 /// table, for every tolerance. The two ends of such an interval are knots; on a grid, the knots are
 /// the nearest grid places inside the interval. Where several straight lines follow each other,
-/// as in a table that was recorded in counts, only dwells of at least 1/64 of the curve are exact. A line is not kept exact if its rounded ends would break the tolerance. Neither dwells
-/// nor lines are kept exact if `spacing` leaves no place for their knots.
+/// as in a table that was recorded in counts, only dwells of at least 1/64 of the curve are exact.
+/// A line is not kept exact if its rounded ends would break the tolerance. Neither dwells nor lines
+/// are kept exact if `spacing` leaves no place for their knots.
 ///
 /// **Quadratic pieces.** Each interval between two knots of the curve has an additional knot in its
-/// middle, so that the velocity does not step. Every other knot is on the curve, so errors do not
+/// middle, so that the velocity does not step. All other knots are on the curve, so errors do not
 /// accumulate. If the curve is quadratic in the interval, one piece is enough.
 ///
 /// **Steps.** A knot has one velocity and one acceleration. If the velocity or acceleration of the
