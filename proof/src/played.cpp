@@ -105,6 +105,7 @@ struct Deviations {
   Deviation table;
   std::optional<Deviation> curve = {};
   std::size_t left_out = 0;  // ticks of the ramp
+  double shift = 0;          // of the slave after the ramp
   bool live = false;         // compared over the master of the log
   [[nodiscard]] bool ok() const { return table.error <= table.limit; }
 };
@@ -171,18 +172,28 @@ std::size_t ramp_ticks(const std::vector<PlayedTick>& ticks, const OnMotion& on,
   return longest;
 }
 
-/// Compares the ticks after the ramp, with the slave as shifted as at the end of the motion.
+/// The shift of a slave that is `shift` from its cam at the end of the motion: whole slave periods, if
+/// there is one and the slave does not begin at its own position; otherwise this distance.
+double permitted_shift(double shift, const CouplingSpec& coupling) {
+  const bool own = coupling.start == StartMode::relative || !coupling.slave_absolute;
+  const double period = own ? 0 : coupling.slave_period.value_or(0);
+  return period > 0 ? std::round(shift / period) * period : shift;
+}
+
+/// Compares the ticks after the ramp, with the slave shifted as at the end of the motion.
 /// nullopt: too few ticks come after the ramp.
 std::optional<Deviations> compare_after_ramp(const std::vector<PlayedTick>& ticks, OnMotion on,
                                              const Designed& designed,
                                              const DesignedMotion& motion) {
-  on.shift = own_position(ticks.back(), on.corrected) - motion.table(on.at(ticks.back())).position;
+  const double last = own_position(ticks.back(), on.corrected);
+  on.shift = permitted_shift(last - motion.table(on.at(ticks.back())).position, *designed.ramp);
   const std::size_t ramp = ramp_ticks(ticks, on, designed, motion);
   if (ramp + ticks_on_table > ticks.size()) return std::nullopt;
   const std::vector<PlayedTick> after(ticks.begin() + static_cast<std::ptrdiff_t>(ramp),
                                       ticks.end());
   Deviations result = compare(after, on, motion, designed.tolerance);
   result.left_out = ramp;
+  result.shift = on.shift;
   return result;
 }
 
@@ -408,6 +419,7 @@ Played compare_played(const std::vector<PlayedTick>& ticks, const Designed& desi
       ramped ? compare_ramped(ticks, designed) : compare_all(ticks, designed);
   Played played{.ticks = ticks.size() - compared.left_out,
                 .left_out = compared.left_out,
+                .shift = std::abs(compared.shift) <= compared.table.limit ? 0 : compared.shift,
                 .job = ticks.front().job,
                 .start = ticks.front().clock,
                 .live = compared.live,

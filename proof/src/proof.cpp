@@ -2,6 +2,7 @@
 #include "jounce/proof/proof.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -62,6 +63,11 @@ Played played(const Input& input, const std::string& log) {
   const auto* const sync = input.spec ? std::get_if<SyncSpec>(&input.spec->subject) : nullptr;
   designed.cutter = sync != nullptr && cut_list_of(*sync).has_value();
   if (input.spec) designed.ramp = input.spec->coupling;
+  // At a cut, the streamer lets a cam that advances begin at any pass.
+  const auto& positions = input.table.table.columns().p;
+  if (designed.ramp && !designed.ramp->slave_period &&
+      input.table.table.outside() == Extrapolation::advance)
+    designed.ramp->slave_period = std::abs(positions.back() - positions.front());
   const Cam* const cam = std::get_if<Cam>(&*input.curve);
   // A log may contain places of the master at which the cam is not defined.
   const Table& of_master = input.table.table;
@@ -98,11 +104,12 @@ std::string played_text(const Played& played, const std::string& unit) {
                        rounded(from.limit));
   };
   std::string text = fmt::format(
-      "  {:<12} {}: job {} from {} s of the log, {} ticks{}{}, {}", "executor",
+      "  {:<12} {}: job {} from {} s of the log, {} ticks{}{}{}, {}", "executor",
       played.report.ok() ? "ok" : "BROKEN", played.job, rounded(played.start), played.ticks,
       played.live ? " over the live master (the end is not checked)" : "",
       played.left_out > 0 ? fmt::format(" after the ramp ({} ticks, not compared)", played.left_out)
                           : "",
+      played.shift != 0 ? fmt::format(", shifted by {} {}", rounded(played.shift), unit) : "",
       part(played.table, "table"));
   if (played.curve) text += ", " + part(*played.curve, "exact curve");
   return text + "\n";
@@ -114,7 +121,8 @@ Json played_json(const Played& played) {
   };
   Json json{{"job", played.job},          {"start", played.start},
             {"ticks", played.ticks},      {"ticks_left_out", played.left_out},
-            {"live_master", played.live}, {"table", part(played.table)}};
+            {"shift", played.shift},      {"live_master", played.live},
+            {"table", part(played.table)}};
   if (played.curve) json["curve"] = part(*played.curve);
   return json;
 }

@@ -292,9 +292,11 @@ Designed ramped() {
 }
 
 TEST(Played, LeavesOutTheRamp) {
+  Designed designed = ramped();
+  designed.ramp->slave_period = 180;
   for (const double blade : {0.0, -180.0}) {
     const Played played =
-        compare_played(read_played(ramped_log(400, blade, -1), "run.csv"), ramped());
+        compare_played(read_played(ramped_log(400, blade, -1), "run.csv"), designed);
     EXPECT_TRUE(played.report.ok()) << played.table.error;
     EXPECT_TRUE(played.live);
     EXPECT_EQ(played.left_out, 20U);
@@ -303,6 +305,20 @@ TEST(Played, LeavesOutTheRamp) {
   // Without the ramp in the spec, the start is an error.
   EXPECT_FALSE(
       compare_played(read_played(ramped_log(400, 0, -1), "run.csv"), doubled()).report.ok());
+}
+
+// A slave with absolute positions and a period is shifted by whole periods; any other shift is reported.
+TEST(Played, FindsAWrongShiftAfterTheRamp) {
+  const auto played = [](double shift, const Designed& designed) {
+    return compare_played(read_played(ramped_log(400, shift, -1), "run.csv"), designed);
+  };
+  Designed designed = ramped();
+  EXPECT_EQ(played(0, designed).shift, 0);
+  EXPECT_TRUE(played(-179.999, designed).report.ok());
+  EXPECT_NEAR(played(-179.999, designed).shift, -179.999, 1e-9);
+  designed.ramp->slave_period = 180;
+  EXPECT_FALSE(played(-179.999, designed).report.ok());
+  EXPECT_EQ(played(-180, designed).shift, -180);
 }
 
 TEST(Played, FindsOneWrongTickAfterTheRamp) {

@@ -49,7 +49,9 @@ struct Designed {
   double duration = 0;   ///< duration of the motion, s
   bool cutter =
       false;  ///< true: the spec of a machine that cuts, whose axis may play a plan of cuts
-  /// The coupling of the cam. If it starts with a ramp, the comparison leaves the ramp out.
+  /// The coupling of the cam. If it starts with a ramp, the comparison leaves the ramp out. A slave
+  /// with slave_absolute and slave_period may then be shifted by whole periods, any other slave by any
+  /// distance (Played::shift).
   std::optional<CouplingSpec> ramp = {};
 };
 
@@ -64,6 +66,7 @@ struct Deviation {
 struct Played {
   std::size_t ticks = 0;             ///< number of ticks compared
   std::size_t left_out = 0;          ///< number of ticks before them, which belong to the ramp
+  double shift = 0;                  ///< shift of the slave after the ramp, u
   std::int64_t job = 0;              ///< number of the motion in the log
   double start = 0;                  ///< time of the log at which it starts, s
   bool live = false;                 ///< true: compared over the master of the log
