@@ -105,7 +105,7 @@ struct Deviations {
   Deviation table;
   std::optional<Deviation> curve = {};
   std::size_t left_out = 0;  // ticks of the ramp
-  double shift = 0;          // of the slave after the ramp
+  double shift = 0;          // the slave after the ramp, u
   bool live = false;         // compared over the master of the log
   [[nodiscard]] bool ok() const { return table.error <= table.limit; }
 };
